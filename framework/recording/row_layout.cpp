@@ -37,10 +37,6 @@ std::string camel_case(std::string_view name) {
   return result;
 }
 
-std::string unit_text(const Unit& unit) {
-  return unit.symbol.empty() ? "" : fmt::format("[{}]", si_symbol(unit.dimension));
-}
-
 /// Gathers the messages of a row: one for each component and group, and the types that they use.
 class SchemaBuilder {
  public:
