@@ -35,7 +35,7 @@ class TestAllocationCounter : public QObject {
  private slots:
   void one_allocation_is_one_data() {
     QTest::addColumn<Work>("work");
-    const auto row = [](const char* name, Work work) { QTest::newRow(name) << work; };
+    const auto row = [](const char* name, const Work& work) { QTest::newRow(name) << work; };
     row("malloc", [] { release(std::malloc(24)); });
     row("calloc", [] { release(std::calloc(3, 8)); });
     row("realloc of nothing", [] { release(std::realloc(nullptr, 24)); });
