@@ -4,7 +4,7 @@
 #include <malloc.h>
 
 #include <Eigen/Core>
-#include <QtTest>
+#include <QTest>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
