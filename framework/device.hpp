@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "framework/component.hpp"
+
+namespace trocar {
+
+class Gate;
+
+/// Effort that passed the gate. Only a Gate can make one, and a device's write() takes nothing
+/// else: that is why no component, script or plugin has a way to the motors round it.
+class GatedEffort {
+ public:
+  const Joints& effort() const RT_SAFE { return effort_; }  // [N or N m], hold included
+  std::int64_t tick() const RT_SAFE { return tick_; }
+  std::int64_t deadline_ns() const RT_SAFE { return deadline_ns_; }  // not valid after it
+
+  GatedEffort(const GatedEffort&) = delete;
+  GatedEffort& operator=(const GatedEffort&) = delete;
+
+ private:
+  friend class Gate;
+  GatedEffort(const Joints& effort, std::int64_t tick, std::int64_t deadline_ns) RT_SAFE
+      : effort_(effort),
+        tick_(tick),
+        deadline_ns_(deadline_ns) {}
+  Joints effort_;
+  std::int64_t tick_;
+  std::int64_t deadline_ns_;
+};
+
+/// What a device can bear, for each axis. All must be declared: an unset limit is a finding.
+struct DeviceLimits {
+  static constexpr double undeclared = -1.0;
+  int axes = 0;
+  Joints effort;           // [N or N m] peak
+  Joints rise;             // [N/s or N m/s] of rendered effort
+  Joints speed;            // [m/s or rad/s]
+  Joints lowest, highest;  // [m or rad] mechanical range
+  Joints margin;           // [m or rad] beyond the range that is a trip: a stop yields that much
+  Joints jump;             // [m or rad] between two reports that no motion can explain
+  Joints damping;          // [N s/m or N m s/rad] that stays when rendering is off
+  Joints damping_cap;      // [N or N m] at most
+  double handle_speed = undeclared;  // [m/s]
+
+  DeviceLimits() {
+    for (Joints* each : {&effort, &rise, &speed, &margin, &jump, &damping, &damping_cap})
+      for (double& value : each->axis) value = undeclared;
+  }
+  /// The names of the limits that were left undeclared.
+  std::vector<std::string> missing() const;
+};
+
+/// Something that rendered effort loads besides the actuators: the hand on the handle, a stage.
+struct ToolLoad {
+  const char* what = "";
+  Vector3 value;                                          // [N or N m]
+  double cap = 0.0;                                       // rendering is scaled down to it
+  double trip = std::numeric_limits<double>::infinity();  // raw value beyond it latches
+};
+
+struct ToolLoads {
+  std::array<ToolLoad, 8> load;
+  int count = 0;
+  void add(const ToolLoad& one) RT_SAFE { load[static_cast<std::size_t>(count++)] = one; }
+};
+
+/// What a device reports of itself beside its position.
+struct DeviceStatus {
+  bool position_valid = true;  // fresh, plausible, homed
+  const char* why = "";        // it is not
+  bool homed = true;
+  bool dead_man = true;  // pressed, in the device's own report
+};
+
+/// A component with motors. At a tick the executor steps it first (it reports its position), then
+/// everybody else, then the gate writes `hold` and `effort` to it.
+class Device : public Component {
+ public:
+  Output<Joints>& position() { return *position_; }
+  const InputPort& hold_port() const { return *hold_; }
+  const InputPort& effort_port() const { return *effort_; }
+  virtual const DeviceLimits& limits() const = 0;
+  /// The device starts at rest, engaged, hold full: a simulation may, hardware may not.
+  virtual bool starts_engaged() const { return false; }
+
+ protected:
+  /// Called by the subclass's constructor with its ports.
+  void declare_device(Output<Joints>& position, Input<Joints>& hold, Input<Joints>& effort,
+                      Output<Joints>& effort_sent, Output<double>& scale) {
+    position_ = &position;
+    hold_ = &hold;
+    effort_ = &effort;
+    effort_sent_ = &effort_sent;
+    scale_ = &scale;
+  }
+
+ private:
+  friend class Gate;
+  virtual DeviceStatus status() const RT_SAFE = 0;
+  /// What `effort` loads at the present position, by the driver's own kinematics and never by
+  /// values from ports. Linear in effort.
+  virtual void tool_loads(const Joints& effort, ToolLoads& loads) const RT_SAFE = 0;
+  /// [m/s] of the handle for axis velocities, by the driver's own kinematics.
+  virtual double handle_speed(const Joints& velocity) const RT_SAFE = 0;
+  virtual void write(const Tick& tick, const GatedEffort& effort) RT_SAFE = 0;
+
+  Output<Joints>* position_ = nullptr;
+  Input<Joints>* hold_ = nullptr;
+  Input<Joints>* effort_ = nullptr;
+  Output<Joints>* effort_sent_ = nullptr;
+  Output<double>* scale_ = nullptr;
+};
+
+}  // namespace trocar

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "framework/axis_velocity.hpp"
+#include "framework/device.hpp"
+#include "framework/fault.hpp"
+
+namespace trocar {
+
+/// The only way to a device's motors. Each tick: finite → trips on raw values → engage ramp on
+/// effort → limit → rise limit → finite → write.
+///
+///   sent = r_h hold + s effort,   s the largest in [0, r_e] with, for every actuator i and tool
+///   load j,  |hold_i + s effort_i| <= limit_i,  |s load_j| <= cap_j,
+///   |s effort_i| <= |s effort_i|_before + rise_i T  (from 0 where the sign changes)
+///
+/// One factor for all axes keeps the direction of the rendered wrench; r_h and r_e are the ramps
+/// of hold (1 s) and engagement (0.5 s).
+///
+/// A trip latches. While the position is trusted it ends the rendering at once; hold and a capped
+/// damping stay, so that the tool does not fall on the hand. When hold itself is wrong, damping
+/// alone stays; when the position is wrong, nothing does.
+class Gate {
+ public:
+  enum class State { cold, holding, engaging, engaged, tripped };
+
+  Gate(Device& device, double period, FaultLatch& faults);
+
+  /// Sends this tick's effort. `effort_usable` and `hold_usable` say whether everything that they
+  /// are computed from was finite in this tick.
+  void pass(const Tick& tick, bool effort_usable, bool hold_usable) RT_SAFE;
+
+  /// Asks to render; granted when homed, no fault, dead-man pressed, and for 0.5 s the handle
+  /// slower than 20 mm/s and the rendered force below 1 N.
+  void request_engage() RT_SAFE { engage_requested_ = true; }
+  /// Ends rendering until acknowledged; latches `fault`.
+  void stop_rendering(const Fault& fault) RT_SAFE;
+  /// Leaves the tripped state, to holding and never to engaged, when nothing was wrong for 0.1 s.
+  bool acknowledge() RT_SAFE;
+
+  State state() const RT_SAFE { return state_; }
+  const Device& device() const { return device_; }
+  /// [m/s or rad/s] by differences of the device's own reports, for trips and damping.
+  const Joints& velocity() const RT_SAFE { return velocity_.value(); }
+
+ private:
+  void trip(FaultCause cause, const char* detail, double value, double limit) RT_SAFE;
+  void watch_position() RT_SAFE;
+  void watch_hold() RT_SAFE;
+  void watch_effort() RT_SAFE;
+  void advance_state() RT_SAFE;
+  double largest_scale() const RT_SAFE;
+  double risen_scale(double scale) const RT_SAFE;
+  Joints command() RT_SAFE;
+  double damping(int axis) const RT_SAFE;
+
+  Device& device_;
+  const DeviceLimits limits_;
+  const double period_;
+  FaultLatch& faults_;
+  AxisVelocity velocity_;
+  State state_;
+  Tick tick_{};
+  Joints position_before_{};
+  Joints rendered_before_{};
+  ToolLoads loads_{};  // of this tick's raw effort
+  double hold_ramp_;
+  double effort_ramp_;
+  double calm_for_ = 0.0;   // [s] that the conditions to engage hold
+  double sound_for_ = 0.0;  // [s] since anything was wrong
+  bool started_ = false;
+  bool engage_requested_ = false;
+  bool position_lost_ = false;
+  bool hold_lost_ = false;
+  bool effort_lost_ = false;
+};
+
+const char* to_string(Gate::State state) RT_SAFE;
+
+}  // namespace trocar

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "framework/graph.hpp"
+
+#include <fmt/format.h>
+
+#include "framework/text.hpp"
+
+namespace trocar {
+
+const ParameterSet& Graph::Node::settings() const {
+  return is_group() ? *group : static_cast<const ParameterSet&>(*component);
+}
+
+std::optional<NodeId> Graph::find(std::string_view name) const {
+  for (NodeId id = 0; id < nodes_.size(); ++id)
+    if (nodes_[id].name == name) return id;
+  return std::nullopt;
+}
+
+std::optional<std::string> Graph::free_name(std::string_view type, std::string_view name,
+                                            const Where& where, std::string_view scope) {
+  if (!name.empty() && !is_name(name)) {
+    findings_.add(where, fmt::format("name = \"{}\": needs letters, digits and underscores, "
+                                     "starting with a letter",
+                                     name));
+    return std::nullopt;
+  }
+  const std::string own = name.empty() ? snake_case(type) : std::string(name);
+  const std::string full = scope.empty() ? own : fmt::format("{}.{}", scope, own);
+  if (const auto taken = find(full)) {
+    findings_.add(where,
+                  fmt::format("\"{}\" is the name of the {} at {}: give this one another, "
+                              "{} {{ name = \"second_{}\", … }}",
+                              full, nodes_[*taken].type ? nodes_[*taken].type->name : "group",
+                              nodes_[*taken].where.text(), type, own));
+    return std::nullopt;
+  }
+  return full;
+}
+
+std::optional<NodeId> Graph::add(std::string_view type_name, std::string_view name,
+                                 const Where& where, std::string_view scope) {
+  const ComponentType* type = registry_.find(type_name);
+  if (type == nullptr) {
+    findings_.add(where, fmt::format("there is no component \"{}\"{}", type_name,
+                                     suggestion(type_name, registry_.names())));
+    return std::nullopt;
+  }
+  auto full = free_name(type_name, name, where, scope);
+  if (!full) return std::nullopt;
+  Node node{.name = std::move(*full), .type = type, .where = where};
+  if (type->make) {
+    node.component = type->make();
+    node.component->set_name(node.name);
+  } else {
+    node.group = type->make_group();
+  }
+  nodes_.push_back(std::move(node));
+  apply_overrides(nodes_.size() - 1);
+  return nodes_.size() - 1;
+}
+
+std::optional<NodeId> Graph::add_group(std::unique_ptr<ParameterSet> parameters,
+                                       std::string_view type, std::string_view name,
+                                       const Where& where, std::string_view scope) {
+  auto full = free_name(type, name, where, scope);
+  if (!full) return std::nullopt;
+  nodes_.push_back({.name = std::move(*full), .where = where, .group = std::move(parameters)});
+  apply_overrides(nodes_.size() - 1);
+  return nodes_.size() - 1;
+}
+
+void Graph::build_group(NodeId group) {
+  GroupScope scope(*this, group);
+  static_cast<Group&>(*nodes_[group].group).build(scope);
+}
+
+void Graph::apply_overrides(NodeId id) {
+  const std::string prefix = nodes_[id].name + ".";
+  for (auto& [key, override] : overrides) {
+    if (!key.starts_with(prefix)) continue;
+    const std::string parameter = key.substr(prefix.size());
+    ParameterBase* found = nodes_[id].settings().find_parameter(parameter);
+    if (found == nullptr) continue;
+    override.used = true;
+    if (const std::string wrong = found->set(override.value); !wrong.empty())
+      findings_.add(override.where, fmt::format("{} = {}: {}", key, override.value.text(), wrong));
+    nodes_[id].set_at[parameter] = override.where;
+  }
+}
+
+std::vector<std::string> Graph::parameter_keys() const {
+  std::vector<std::string> keys;
+  for (const Node& node : nodes_)
+    for (const std::string& parameter : node.settings().parameter_names())
+      keys.push_back(node.name + "." + parameter);
+  return keys;
+}
+
+void Graph::report_unused_overrides() {
+  const std::vector<std::string> known = parameter_keys();
+  for (const auto& [key, override] : overrides)
+    if (!override.used)
+      findings_.add(override.where,
+                    fmt::format("nothing is called \"{}\"{}", key,
+                                nearest(key, known).empty() ? "" : suggestion(key, known)));
+}
+
+void Graph::set(const ParameterRef& parameter, const Literal& value, const Where& where) {
+  Node& node = nodes_[parameter.node];
+  const std::string key = node.name + "." + parameter.name;
+  if (overrides.contains(key)) return;
+  ParameterBase* found = node.settings().find_parameter(parameter.name);
+  if (found == nullptr) {
+    findings_.add(where,
+                  fmt::format("{} has no parameter \"{}\"{}", node.name, parameter.name,
+                              suggestion(parameter.name, node.settings().parameter_names())));
+    return;
+  }
+  node.set_at[parameter.name] = where;
+  if (const std::string wrong = found->set(value); !wrong.empty())
+    findings_.add(where, fmt::format("{} = {}: {}", key, value.text(), wrong));
+}
+
+void Graph::link(const ParameterRef& from, const ParameterRef& to, const Where& where) {
+  const std::string key = nodes_[to.node].name + "." + to.name;
+  if (overrides.contains(key)) return;
+  links_.push_back({from, to, where});
+  nodes_[to.node].set_at[to.name] = where;
+}
+
+void Graph::connect(const OutputRef& from, const InputRef& to, const Where& where) {
+  wires_.push_back({from, to, where});
+}
+
+void Graph::place(NodeId id, const Site& site, const Where& where) {
+  const Node& node = nodes_[id];
+  if (!node.component || !node.component->placement()) {
+    findings_.add(where, fmt::format("{}: a {} cannot be placed at a site", node.name,
+                                     node.type ? node.type->name : "group"));
+    return;
+  }
+  const Placement placement = *node.component->placement();
+  if (placement.position != nullptr)
+    connect(site.position, {id, placement.position->name()}, where);
+  if (placement.velocity != nullptr)
+    connect(site.velocity, {id, placement.velocity->name()}, where);
+  const bool load = placement.acts == Placement::Acts::on_tool;
+  const auto& force_input = load ? site.load : site.force;
+  if (placement.force != nullptr && force_input)
+    connect({id, placement.force->name()}, *force_input, where);
+  else if (placement.force != nullptr)
+    findings_.add(where, fmt::format("{}: this site takes no {}", node.name,
+                                     load ? "external load" : "rendered force"));
+  if (placement.moment != nullptr && site.moment)
+    connect({id, placement.moment->name()}, *site.moment, where);
+}
+
+void Graph::set_rate(NodeId id, double rate, std::int64_t phase, const Where& where) {
+  nodes_[id].rate = rate;
+  nodes_[id].phase = phase;
+  nodes_[id].set_at["rate"] = where;
+}
+
+NodeId GroupScope::add(std::string_view type, std::string_view name) {
+  const Graph::Node& group = graph_.node(group_);
+  const auto id = graph_.add(type, name, group.where, group.name);
+  if (!id) throw std::logic_error(fmt::format("group {}: cannot add {}", group.name, type));
+  graph_.node(group_).exports.parts.emplace(name, *id);
+  return *id;
+}
+
+void GroupScope::connect(const OutputRef& from, const InputRef& to) {
+  graph_.connect(from, to, graph_.node(group_).where);
+}
+
+void GroupScope::set(NodeId node, std::string_view parameter, const Literal& value) {
+  graph_.set({node, std::string(parameter)}, value, graph_.node(group_).where);
+}
+
+void GroupScope::forward(std::string_view parameter, NodeId node, std::string_view part_parameter) {
+  graph_.link({group_, std::string(parameter)}, {node, std::string(part_parameter)},
+              graph_.node(group_).where);
+}
+
+}  // namespace trocar

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "framework/component.hpp"
+#include "framework/group.hpp"
+
+namespace trocar {
+
+/// What is known of a component type without making one.
+struct ComponentType {
+  std::string name;                                  // CamelCase, as scripts call it
+  std::string category;                              // "fixtures"
+  std::string doc;                                   // one line
+  std::function<std::unique_ptr<Component>()> make;  // empty for a group
+  std::function<std::unique_ptr<Group>()> make_group;
+};
+
+/// The component types and groups that scripts can use. An object like any other: nothing
+/// registers itself behind the reader's back.
+class Registry {
+ public:
+  /// @throw std::invalid_argument when the name is taken or not CamelCase.
+  template <typename T>
+  void add(std::string_view name, std::string_view category, std::string_view doc) {
+    ComponentType type{std::string(name), std::string(category), std::string(doc), {}, {}};
+    if constexpr (std::is_base_of_v<Group, T>)
+      type.make_group = [] { return std::make_unique<T>(); };
+    else
+      type.make = [] { return std::make_unique<T>(); };
+    add(std::move(type));
+  }
+  void add(ComponentType type);
+
+  const ComponentType* find(std::string_view name) const;
+  std::vector<std::string> names() const;
+  /// In the order of registration.
+  const std::vector<ComponentType>& types() const { return types_; }
+
+ private:
+  std::vector<ComponentType> types_;
+};
+
+}  // namespace trocar

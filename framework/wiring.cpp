@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "framework/wiring.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "framework/text.hpp"
+
+namespace trocar {
+namespace {
+
+/// FNV-1a, so that a component's random numbers depend on its name and not on its neighbours.
+std::uint64_t seed_for(std::uint64_t run_seed, std::string_view name) {
+  std::uint64_t hash = 14695981039346656037ull ^ run_seed;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  return hash;
+}
+
+std::vector<std::string> port_names(const auto& ports) {
+  std::vector<std::string> names;
+  for (const auto* port : ports) names.push_back(port->name());
+  return names;
+}
+
+}  // namespace
+
+std::string ResolvedWire::text() const {
+  return fmt::format("{}.{}{}{} → {}.{}", from->owner().name(), from->name(),
+                     path.empty() ? "" : ".", path, to->owner().name(), to->name());
+}
+
+Wiring::Wiring(const Graph& graph, const WiringOptions& options)
+    : graph_(graph), options_(options), result_(std::make_unique<WiredGraph>()) {
+  for (const Finding& finding : graph.findings().all())
+    findings_.add(finding.where, finding.message);
+}
+
+std::unique_ptr<WiredGraph> Wiring::build() {
+  instantiate();
+  apply_settings();
+  follow_links();
+  require_parameters();
+  resolve_wires();
+  resolve_signatures();
+  check_wires();
+  check_inputs();
+  check_rates();
+  check_truth();
+  order();
+  if (!findings_.empty()) throw BrokenGraph(findings_);
+  lay_out_memory();
+  connect();
+  configure();
+  check_limits();
+  mark_dependencies();
+  if (!findings_.empty()) throw BrokenGraph(findings_);
+  return std::move(result_);
+}
+
+void Wiring::instantiate() {
+  result_->period_ns_ = std::llround(1e9 / options_.rate);
+  result_->period_ = static_cast<double>(result_->period_ns_) * 1e-9;
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    const Graph::Node& node = graph_.node(id);
+    std::unique_ptr<Component> component;
+    if (!node.is_group()) {
+      component = node.type->make();
+      component->set_name(node.name);
+      for (std::size_t i = 0; i < component->parameters().size(); ++i)
+        component->parameters()[i]->copy_from(*node.component->parameters()[i]);
+    }
+    result_->components_.push_back(std::move(component));
+  }
+}
+
+Wiring::~Wiring() {
+  for (auto& [parameter, value] : borrowed_) parameter->restore(value);
+}
+
+ParameterBase* Wiring::find_parameter(NodeId node, std::string_view name) const {
+  return graph_.node(node).is_group() ? graph_.node(node).group->find_parameter(name)
+                                      : result_->components_[node]->find_parameter(name);
+}
+
+void Wiring::apply_settings() {
+  for (const auto& [key, setting] : options_.set) {
+    const std::size_t dot = std::min(key.rfind('.'), key.size());
+    const auto node = graph_.find(key.substr(0, dot));
+    ParameterBase* parameter =
+        node && dot < key.size() ? find_parameter(*node, key.substr(dot + 1)) : nullptr;
+    if (parameter == nullptr) {
+      const std::vector<std::string> known = graph_.parameter_keys();
+      findings_.add(setting.where,
+                    fmt::format("nothing is called \"{}\"{}", key,
+                                nearest(key, known).empty() ? "" : suggestion(key, known)));
+      continue;
+    }
+    if (graph_.node(*node).is_group()) borrowed_.emplace_back(parameter, parameter->save());
+    if (const std::string wrong = parameter->set(setting.value); !wrong.empty())
+      findings_.add(setting.where, fmt::format("{} = {}: {}", key, setting.value.text(), wrong));
+  }
+}
+
+Where Wiring::where_set(NodeId node, const std::string& parameter) const {
+  const auto& set_at = graph_.node(node).set_at;
+  const auto found = set_at.find(parameter);
+  return found == set_at.end() ? where_of(node) : found->second;
+}
+
+void Wiring::follow_links() {
+  for (const Graph::Link& link : graph_.links()) {
+    const Graph::Node& source = graph_.node(link.from.node);
+    const Graph::Node& target = graph_.node(link.to.node);
+    if (options_.set.contains(target.name + "." + link.to.name)) continue;
+    const ParameterBase* from = find_parameter(link.from.node, link.from.name);
+    ParameterBase* to = find_parameter(link.to.node, link.to.name);
+    if (from == nullptr || to == nullptr) {
+      findings_.add(link.where,
+                    fmt::format("cannot give {}.{} to {}.{}: there is no such parameter",
+                                source.name, link.from.name, target.name, link.to.name));
+      continue;
+    }
+    std::string wrong;
+    if (const auto* any = dynamic_cast<const Parameter<Literal>*>(from))
+      wrong = to->set(**any);
+    else if (typeid(*from) == typeid(*to) && from->unit().dimension == to->unit().dimension)
+      to->copy_from(*from);
+    else
+      wrong = fmt::format("a {} [{}] cannot be a {} [{}]", from->type_name(), from->unit().symbol,
+                          to->type_name(), to->unit().symbol);
+    if (!wrong.empty())
+      findings_.add(link.where,
+                    fmt::format("{}.{} = {}: {}", target.name, link.to.name, from->text(), wrong));
+  }
+}
+
+void Wiring::require_parameters() {
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    const Graph::Node& node = graph_.node(id);
+    for (const ParameterBase* parameter : node.settings().parameters())
+      if (!parameter->assigned() && !node.set_at.contains(parameter->name()))
+        findings_.add(
+            node.where,
+            fmt::format("{} needs \"{}\" ({}{})", node.name, parameter->name(), parameter->doc(),
+                        parameter->unit().symbol.empty()
+                            ? ""
+                            : fmt::format(", e.g. \"1 {}\"", parameter->unit().symbol)));
+  }
+}
+
+void Wiring::resolve_wires() {
+  for (const Graph::Wire& wire : graph_.wires()) {
+    Component* source = result_->components_[wire.from.node].get();
+    Component* target = result_->components_[wire.to.node].get();
+    OutputPort* from = source == nullptr ? nullptr : source->find_output(wire.from.port);
+    InputPort* to = target == nullptr ? nullptr : target->find_input(wire.to.port);
+    if (from == nullptr)
+      findings_.add(
+          wire.where,
+          fmt::format("{} has no output \"{}\"{}", graph_.node(wire.from.node).name, wire.from.port,
+                      suggestion(wire.from.port, source ? port_names(source->outputs())
+                                                        : std::vector<std::string>{})));
+    if (to == nullptr)
+      findings_.add(
+          wire.where,
+          fmt::format("{} has no input \"{}\"{}", graph_.node(wire.to.node).name, wire.to.port,
+                      suggestion(wire.to.port, target ? port_names(target->inputs())
+                                                      : std::vector<std::string>{})));
+    if (from != nullptr && to != nullptr)
+      wires_.push_back({wire.from.node, wire.to.node, from, to, wire.from.path, wire.where});
+  }
+}
+
+void Wiring::check_inputs() {
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    if (!result_->components_[id]) continue;
+    for (const InputPort* input : result_->components_[id]->inputs()) {
+      std::vector<const ResolvedWire*> drivers;
+      for (const ResolvedWire& wire : wires_)
+        if (wire.to == input) drivers.push_back(&wire);
+      if (drivers.empty() && !input->optional() && !input->variadic())
+        findings_.add(where_of(id), fmt::format("{}.{} is not connected: {}", input->owner().name(),
+                                                input->name(), input->doc()));
+      for (std::size_t i = 1; i < drivers.size() && !input->variadic(); ++i)
+        findings_.add(drivers[i]->where,
+                      fmt::format("{}.{} is driven already (at {}): add the two with + first",
+                                  input->owner().name(), input->name(), drivers[0]->where.text()));
+    }
+  }
+}
+
+void Wiring::check_rates() {
+  if (!(options_.rate >= 1.0) || !(options_.rate <= 1e5))
+    findings_.add({}, fmt::format("a rate of {} Hz: 1 Hz to 100 kHz is possible", options_.rate));
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    const Graph::Node& node = graph_.node(id);
+    if (node.rate == 0.0) continue;
+    const double ratio = options_.rate / node.rate;
+    const double divider = std::round(ratio);
+    if (!(ratio >= 1.0 - 1e-9) || std::abs(ratio - divider) > 1e-9 * ratio)
+      findings_.add(
+          where_set(id, "rate"),
+          fmt::format("{}: {} Hz does not divide the thread's {} Hz; near are {} and {} Hz",
+                      node.name, node.rate, options_.rate,
+                      options_.rate / std::max(1.0, std::floor(ratio)),
+                      options_.rate / std::max(1.0, std::ceil(ratio))));
+    else if (node.phase < 0 || static_cast<double>(node.phase) >= divider)
+      findings_.add(where_set(id, "rate"), fmt::format("{}: phase {} is not within 0–{}", node.name,
+                                                       node.phase, divider - 1.0));
+  }
+}
+
+void Wiring::lay_out_memory() {
+  std::vector<double>& memory = result_->memory_;
+  const auto size_in_words = [](const OutputPort& output) {
+    return (output.signature()->type->size + 7) / 8;
+  };
+  const auto is_number = [](const OutputPort& output) {
+    const TypeInfo& type = *output.signature()->type;
+    return !type.fields.empty() || type.scalar == Scalar::real;
+  };
+  std::size_t words = 0;
+  for (const NodeId id : order_)
+    for (const OutputPort* output : result_->components_[id]->outputs())
+      words += size_in_words(*output);
+  memory.assign(words, 0.0);
+
+  std::size_t at = 0;
+  for (const bool numbers : {true, false}) {
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const std::size_t begin = at;
+      for (OutputPort* output : result_->components_[order_[i]]->outputs()) {
+        if (is_number(*output) != numbers) continue;
+        output->place(reinterpret_cast<std::byte*>(&memory[at]));
+        at += size_in_words(*output);
+      }
+      if (numbers) {
+        const Graph::Node& node = graph_.node(order_[i]);
+        const double divider = node.rate == 0.0 ? 1.0 : std::round(options_.rate / node.rate);
+        result_->schedule_.push_back({.component = result_->components_[order_[i]].get(),
+                                      .divider = static_cast<std::int64_t>(divider),
+                                      .phase = node.phase,
+                                      .begin = begin,
+                                      .end = at});
+      }
+    }
+    if (numbers) result_->number_count_ = at;
+  }
+}
+
+void Wiring::connect() {
+  for (const ResolvedWire& wire : wires_)
+    wire.to->connect({wire.from, select_field(*wire.from->signature(), wire.path).offset});
+}
+
+void Wiring::configure() {
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    Component& component = *result_->components_[order_[i]];
+    const double divider = static_cast<double>(result_->schedule_[i].divider);
+    try {
+      component.configure({.period = result_->period_ * divider,
+                           .seed = seed_for(options_.seed, component.name())});
+    } catch (const std::invalid_argument& error) {
+      findings_.add(where_of(order_[i]), fmt::format("{}: {}", component.name(), error.what()));
+      return;  // those behind it would be configured on nothing
+    }
+  }
+}
+
+void Wiring::check_limits() {
+  for (Device* device : result_->devices_) {
+    const std::vector<std::string> missing = device->limits().missing();
+    if (!missing.empty())
+      findings_.add(where_of(*graph_.find(device->name())),
+                    fmt::format("{}: the device does not declare its limits: {}", device->name(),
+                                join(missing, ", ")));
+  }
+}
+
+std::unique_ptr<WiredGraph> wire(const Graph& graph, const WiringOptions& options) {
+  return Wiring(graph, options).build();
+}
+
+Findings check(const Graph& graph, const WiringOptions& options) {
+  try {
+    wire(graph, options);
+    return {};
+  } catch (const BrokenGraph& broken) {
+    return broken.findings;
+  }
+}
+
+std::size_t WiredGraph::offset_of(const OutputPort& output) const {
+  return static_cast<std::size_t>(output.data() - memory());
+}
+
+Component* WiredGraph::find(std::string_view name) const {
+  for (const auto& component : components_)
+    if (component && component->name() == name) return component.get();
+  return nullptr;
+}
+
+std::vector<ParameterBase*> WiredGraph::followers(const Graph& graph,
+                                                  const ParameterRef& parameter) const {
+  std::vector<ParameterRef> reached = {parameter};
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (const Graph::Link& link : graph.links())
+      if (link.from.node == reached[i].node && link.from.name == reached[i].name)
+        reached.push_back(link.to);
+  std::vector<ParameterBase*> result;
+  for (const ParameterRef& ref : reached)
+    if (components_[ref.node])
+      if (ParameterBase* found = components_[ref.node]->find_parameter(ref.name))
+        result.push_back(found);
+  return result;
+}
+
+}  // namespace trocar

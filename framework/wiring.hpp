@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <any>
+
+#include "framework/wired_graph.hpp"
+
+namespace trocar {
+
+/// A wire between ports that exist.
+struct ResolvedWire {
+  NodeId from_node = 0;
+  NodeId to_node = 0;
+  OutputPort* from = nullptr;
+  InputPort* to = nullptr;
+  std::string path;  // of the field that is read
+  Where where;
+
+  std::string text() const;  // "sine.value → wall.offset"
+};
+
+/// The steps of wire(), each adding what it finds. A step runs only on what earlier ones left
+/// sound, so that one mistake is not reported three times.
+class Wiring {
+ public:
+  Wiring(const Graph& graph, const WiringOptions& options);
+  ~Wiring();
+  Wiring(const Wiring&) = delete;
+  Wiring& operator=(const Wiring&) = delete;
+  std::unique_ptr<WiredGraph> build();
+
+ private:
+  void instantiate();
+  void apply_settings();
+  ParameterBase* find_parameter(NodeId node, std::string_view name) const;
+  void follow_links();
+  void require_parameters();
+  void resolve_wires();       // names → ports
+  void resolve_signatures();  // wiring_signatures.cpp
+  bool spread_signatures();
+  bool settle_natural();
+  void check_wires();
+  void check_inputs();
+  void check_truth();  // wiring_dependencies.cpp
+  void mark_dependencies();
+  std::vector<bool> upstream(const InputPort& input) const;
+  void check_rates();
+  void order();  // wiring_order.cpp
+  void report_loop(const std::vector<NodeId>& waiting);
+  void lay_out_memory();
+  void connect();
+  void configure();
+  void check_limits();
+  const Where& where_of(NodeId node) const { return graph_.node(node).where; }
+  Where where_set(NodeId node, const std::string& parameter) const;
+
+  const Graph& graph_;
+  WiringOptions options_;
+  Findings findings_;
+  std::unique_ptr<WiredGraph> result_;
+  std::vector<ResolvedWire> wires_;
+  std::vector<NodeId> order_;
+  /// A group's parameters belong to the description: what a run sets there is put back.
+  std::vector<std::pair<ParameterBase*, std::any>> borrowed_;
+};
+
+}  // namespace trocar

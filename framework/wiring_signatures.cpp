@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "framework/text.hpp"
+#include "framework/wiring.hpp"
+
+namespace trocar {
+namespace {
+
+std::optional<Signature> read_signature(const ResolvedWire& wire) {
+  if (!wire.from->signature()) return std::nullopt;
+  try {
+    return select_field(*wire.from->signature(), wire.path).signature;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;  // check_wires() reports it
+  }
+}
+
+/// A generic component computes on numbers.
+bool numbers(const Signature& signature) {
+  return !signature.type->fields.empty() || signature.type->scalar == Scalar::real;
+}
+
+}  // namespace
+
+void Wiring::resolve_signatures() {
+  while (spread_signatures() || settle_natural()) {
+  }
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    if (!result_->components_[id]) continue;
+    for (const OutputPort* output : result_->components_[id]->outputs()) {
+      if (!output->generic()) continue;
+      if (!output->signature())
+        findings_.add(where_of(id), fmt::format("{}.{} has no type yet: wire it to a port that has",
+                                                output->owner().name(), output->name()));
+      else if (!numbers(*output->signature()))
+        findings_.add(where_of(id), fmt::format("{}.{} cannot carry a {}", output->owner().name(),
+                                                output->name(), output->signature()->type->name));
+    }
+  }
+}
+
+bool Wiring::spread_signatures() {
+  bool changed = false;
+  const auto settle = [&](Port& port, const Signature& signature) {
+    if (!port.generic() || port.signature()) return;
+    port.set_signature(signature);
+    changed = true;
+  };
+  for (ResolvedWire& wire : wires_) {
+    if (const auto signature = read_signature(wire)) settle(*wire.to, *signature);
+    if (wire.to->signature() && wire.path.empty()) settle(*wire.from, *wire.to->signature());
+  }
+  if (changed)
+    for (const auto& component : result_->components_)
+      if (component) component->unify();
+  return changed;
+}
+
+bool Wiring::settle_natural() {
+  for (const auto& component : result_->components_) {
+    if (!component) continue;
+    for (OutputPort* output : component->outputs()) {
+      if (!output->generic() || output->signature()) continue;
+      const auto natural = component->natural_signature();
+      if (!natural) continue;
+      output->set_signature(*natural);
+      component->unify();
+      return true;
+    }
+  }
+  return false;
+}
+
+void Wiring::check_wires() {
+  for (const ResolvedWire& wire : wires_) {
+    if (!wire.from->signature() || !wire.to->signature()) continue;
+    try {
+      const Signature source = select_field(*wire.from->signature(), wire.path).signature;
+      if (const std::string wrong = mismatch(source, *wire.to->signature()); !wrong.empty())
+        findings_.add(wire.where, fmt::format("{}: {}", wire.text(), wrong));
+    } catch (const std::invalid_argument& error) {
+      findings_.add(wire.where, fmt::format("{}: {}", wire.text(), error.what()));
+    }
+  }
+}
+
+}  // namespace trocar
