@@ -12,8 +12,9 @@ namespace trocar {
 /// A value as a script, an option or a file wrote it, before a declaration gives it a meaning:
 /// true, 3, "2.2 N/mm", {0, 0, "105 mm"}, {pitch = "20 deg"}.
 struct Literal {
+  struct Entry;
   using List = std::vector<Literal>;
-  using Table = std::vector<std::pair<std::string, Literal>>;  // in the writer's order
+  using Table = std::vector<Entry>;  // in the writer's order
 
   std::variant<std::monostate, bool, double, std::string, List, Table> value;
 
@@ -23,6 +24,13 @@ struct Literal {
   }
   /// As the writer would write it in a script.
   std::string text() const;
+};
+
+/// A named part of a table.
+struct Literal::Entry {
+  Entry(std::string_view name, Literal part) : key(name), value(std::move(part)) {}
+  std::string key;
+  Literal value;
 };
 
 /// What an option's text means: true and false, a plain number, a list where there are commas (with
