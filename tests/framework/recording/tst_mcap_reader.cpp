@@ -291,6 +291,21 @@ class TestMcapReader : public QObject {
     QCOMPARE(McapReader(path("plain.mcap")).end_time_ns(), quint64(1260 * ms));
   }
 
+  void a_chunk_damaged_inside_counts_no_message() {
+    const qsizetype at = raw_records(log_)[1].offset;
+    const QByteArray channel = record_of(0x04, 16, QByteArray(16, '\0'));
+    const QByteArray inside = record_of(0x05, 22, QByteArray(22, '\0')) + record_of(0x05, 99, {});
+    QByteArray size(8, '\0');
+    size[0] = static_cast<char>(inside.size());
+    const QByteArray chunk = QByteArray(16, '\0') + size + QByteArray(8, '\0') + size + inside;
+    write_bytes(
+        path("inside.mcap"),
+        log_.first(at) + channel + record_of(0x06, static_cast<quint64>(chunk.size()), chunk));
+    const Contents contents = read_all(path("inside.mcap"));
+    QVERIFY(!contents.complete);
+    QCOMPARE(contents.messages, 0);
+  }
+
   void what_is_no_log_is_refused_data() {
     QTest::addColumn<QString>("path");
     QTest::addColumn<QString>("text");
