@@ -225,6 +225,8 @@ class TestMcapReader : public QObject {
         << "compressed with 'zstd'";
     QTest::newRow("a string longer than its record")
         << record_of(0x03, 6, QByteArray::fromHex("0100ffffffff")) << "4294967295 bytes should";
+    QTest::newRow("a string longer by one byte")
+        << record_of(0x03, 6, QByteArray::fromHex("010001000000")) << "1 bytes should follow, 0";
     QTest::newRow("a schema with id 0") << record_of(0x03, 2, QByteArray(2, '\0')) << "the id 0";
     QTest::newRow("a channel of an unknown schema")
         << record_of(0x04, 16, QByteArray::fromHex("00000500") + QByteArray(12, '\0'))
@@ -273,6 +275,22 @@ class TestMcapReader : public QObject {
       QVERIFY2(QString(error.what()).contains("limit"), error.what());
     }
     QCOMPARE(read, fits);
+  }
+
+  void a_scan_keeps_the_limit_of_the_listing() {
+    write_bytes(path("scan.mcap"), log_.first(log_.size() - 1));
+    const McapReader reader(path("scan.mcap"), {.record = 4096, .listing = 300});
+    QVERIFY2(QString::fromStdString(reader.problem()).contains("take more than the limit of 300"),
+             reader.problem().c_str());
+  }
+
+  void a_damaged_attachment_is_not_read() {
+    QByteArray bytes = log_;
+    bytes[bytes.indexOf("trocar.Wall")] = 'x';
+    write_bytes(path("attached.mcap"), bytes);
+    const McapReader reader(path("attached.mcap"));
+    QVERIFY(reader.complete());
+    QVERIFY_THROWS_EXCEPTION(McapError, reader.read(reader.attachments()[0]));
   }
 
   void a_file_without_summary_is_scanned_and_complete() {
