@@ -439,6 +439,7 @@ class TestGate : public QObject {
     rig.pass();
     QCOMPARE(rig.gate().state(), Gate::State::engaging);
     rig.pass(100);
+    QVERIFY2(std::abs(rig.sent(2) - 0.2 * 0.9) < 1e-9, "the ramp starts anew");
     rig.device.report.dead_man = false;
     rig.pass();
     QVERIFY2(rig.sent(2) == 0.0, "also during the ramp");
