@@ -75,6 +75,8 @@ void Session::open_log() {
 const SessionRun& Session::run(RunOptions wanted) {
   wanted.clock = options_.clock;
   if (options_.duration) wanted.duration = options_.duration;
+  if (!wanted.duration && options_.clock == ClockKind::simulated)
+    wanted.duration = options_.default_duration;
   if (options_.seed) wanted.wiring.seed = *options_.seed;
   wanted.stop = options_.stop;
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "cli/script_options.hpp"
+#include "components/register.hpp"
+#include "framework/scripting/script.hpp"
+
+namespace trocar::cli {
+namespace {
+
+Findings findings_of(const ScriptOptions& script, std::size_t& components) {
+  Registry registry;
+  register_components(registry);
+  SessionOptions options{.check_only = true};
+  Graph::Overrides script_arguments;
+  script.split(options.set, script_arguments);
+  Session session(registry, options);
+  try {
+    run_script(session, script.script, std::move(script_arguments));
+  } catch (const BrokenGraph& broken) {
+    return broken.findings;
+  }
+  for (NodeId id = 0; id < session.graph().size(); ++id)
+    components += session.graph().node(id).is_group() ? 0 : 1;
+  return {};
+}
+
+nlohmann::ordered_json json_of(const Findings& findings) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Finding& finding : findings.all())
+    list.push_back(
+        {{"file", finding.where.file}, {"line", finding.where.line}, {"message", finding.message}});
+  return {{"findings", list}};
+}
+
+int check(const ScriptOptions& script, bool json) {
+  std::size_t components = 0;
+  const Findings findings = findings_of(script, components);
+  if (json)
+    print_json(json_of(findings));
+  else if (findings.empty())
+    print(fmt::format("{}: {} components, no mistakes\n", script.script, components));
+  else
+    print(fmt::format("{}{} {}\n", findings.text(), findings.all().size(),
+                      findings.all().size() == 1 ? "mistake" : "mistakes"));
+  return findings.empty() ? success : misused;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("check", "Find every mistake in a script without running its graph");
+  const auto script = std::make_shared<ScriptOptions>();
+  const auto json = std::make_shared<bool>(false);
+  script->add_to(*command);
+  command->add_flag("--json", *json, "Print JSON");
+  command->footer(
+      "Example:\n  trocar check scripts/tutorial/01_feel_a_wall.lua\n"
+      "A script that runs its graph itself is read up to its first trocar.run.");
+  command->callback([script, json, &status] { status = check(*script, *json); });
+}
+
+}  // namespace trocar::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "framework/recording/row_sink.hpp"
+
+namespace trocar::cli {
+
+/// One line on the terminal, rewritten some times a second, that shows how a run goes: time, force,
+/// lateness, faults.
+class Progress final : public RowSink {
+ public:
+  void begin(const RowLayout& layout, const WiredGraph& graph) override;
+  void row(std::span<const std::byte> row) override;
+  void event(const Event& event) override;
+  void end() override;
+
+ private:
+  void show(std::span<const std::byte> row);
+
+  std::vector<std::size_t> forces_;  // row offsets of forces at sites
+  std::int64_t next_ns_ = 0;         // on the wall's clock
+  std::int64_t worst_lateness_ = 0;
+  int faults_ = 0;
+  int rows_since_look_ = 0;
+  bool shown_ = false;
+};
+
+}  // namespace trocar::cli

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "framework/literal_json.hpp"
+#include "framework/report.hpp"
+
+namespace trocar {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json timing(const TimingHistogram& histogram) {
+  return {{"count", histogram.count()},
+          {"mean", histogram.mean() * 1e-9},
+          {"p50", static_cast<double>(histogram.percentile(0.5)) * 1e-9},
+          {"p99", static_cast<double>(histogram.percentile(0.99)) * 1e-9},
+          {"p999", static_cast<double>(histogram.percentile(0.999)) * 1e-9},
+          {"max", static_cast<double>(histogram.max()) * 1e-9}};
+}
+
+Json vector(const Vector3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+Json highlights(const Highlights& all) {
+  Json list = Json::array();
+  for (const Highlight& one : all.all())
+    list.push_back({{"signal", one.name},
+                    {"unit", one.unit},
+                    {"peak", one.peak},
+                    {"peak_time", one.peak_time},
+                    {"at_peak", vector(one.at_peak)},
+                    {"last", vector(one.last)}});
+  return list;
+}
+
+Json faults(const RunResult& result) {
+  Json list = Json::array();
+  for (const FaultRecord& fault : result.faults)
+    list.push_back({{"cause", fault.cause},
+                    {"component", fault.component},
+                    {"detail", fault.detail},
+                    {"value", fault.value},
+                    {"limit", fault.limit},
+                    {"tick", fault.tick},
+                    {"time", fault.time}});
+  return list;
+}
+
+Json run_json(const SessionRun& run) {
+  const RunResult& result = run.result;
+  Json components = Json::object();
+  for (const ComponentTiming& component : result.components)
+    components[component.name] = timing(component.time);
+  return {{"clock", result.clock == ClockKind::simulated ? "simulated" : "realtime"},
+          {"rate", result.rate},
+          {"ticks", result.loop.ticks},
+          {"skipped", result.loop.skipped},
+          {"duration", result.duration},
+          {"wall_time", result.wall_time},
+          {"speed", result.wall_time > 0.0 ? result.duration / result.wall_time : 0.0},
+          {"interrupted", result.interrupted},
+          {"rows", result.loop.rows},
+          {"rows_lost", result.loop.rows_lost},
+          {"lateness", timing(result.loop.lateness)},
+          {"tick_time", timing(result.loop.duration)},
+          {"components", components},
+          {"highlights", highlights(run.highlights)},
+          {"faults", faults(result)},
+          {"shortcomings", result.shortcomings},
+          {"lost", result.lost}};
+}
+
+}  // namespace
+
+std::string report_json(const Session& session) {
+  Json runs = Json::array();
+  for (const auto& run : session.runs()) runs.push_back(run_json(*run));
+  Json published = Json::object();
+  for (const Published& one : session.published())
+    published[one.name].push_back(Json::parse(literal_json(one.row)));
+  const Json all = {{"runs", runs},
+                    {"published", published},
+                    {"log", session.log_path().empty() ? Json() : Json(session.log_path())},
+                    {"troubles", session.troubles()}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace trocar
