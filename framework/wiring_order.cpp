@@ -13,8 +13,12 @@ namespace trocar {
 /// wiring leaves a choice, the order of declaration decides.
 void Wiring::order() {
   std::vector<std::size_t> waits_for(graph_.size(), 0);
-  for (const ResolvedWire& wire : wires_)
-    if (wire.to->feedthrough()) ++waits_for[wire.to_node];
+  std::vector<std::vector<NodeId>> followers(graph_.size());
+  for (const ResolvedWire& wire : wires_) {
+    if (!wire.to->feedthrough()) continue;
+    ++waits_for[wire.to_node];
+    followers[wire.from_node].push_back(wire.to_node);
+  }
 
   const auto rank = [&](NodeId id) {
     const bool device = dynamic_cast<const Device*>(result_->components_[id].get()) != nullptr;
@@ -31,9 +35,8 @@ void Wiring::order() {
     order_.push_back(id);
     if (auto* device = dynamic_cast<Device*>(result_->components_[id].get()))
       result_->devices_.push_back(device);
-    for (const ResolvedWire& wire : wires_)
-      if (wire.from_node == id && wire.to->feedthrough() && --waits_for[wire.to_node] == 0)
-        ready.insert(rank(wire.to_node));
+    for (const NodeId follower : followers[id])
+      if (--waits_for[follower] == 0) ready.insert(rank(follower));
   }
 
   std::vector<NodeId> waiting;
