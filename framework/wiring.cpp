@@ -171,6 +171,7 @@ void Wiring::require_parameters() {
 }
 
 void Wiring::resolve_wires() {
+  wires_of_.resize(graph_.size());
   for (const Graph::Wire& wire : graph_.wires()) {
     Component* source = result_->components_[wire.from.node].get();
     Component* target = result_->components_[wire.to.node].get();
@@ -190,6 +191,8 @@ void Wiring::resolve_wires() {
                                                       : std::vector<std::string>{})));
     if (from == nullptr || to == nullptr) continue;
     wires_into_[to].push_back(wires_.size());
+    wires_of_[wire.from.node].push_back(wires_.size());
+    wires_of_[wire.to.node].push_back(wires_.size());
     wires_.push_back({wire.from.node, wire.to.node, from, to, wire.from.path, wire.where});
   }
 }

@@ -39,8 +39,8 @@ class Wiring {
   void require_parameters();
   void resolve_wires();       // names → ports
   void resolve_signatures();  // wiring_signatures.cpp
-  bool spread_signatures();
-  bool settle_natural();
+  void spread_signatures(std::vector<std::size_t> open);
+  void settle_natural();
   void check_wires();
   void check_inputs();
   void check_truth();  // wiring_dependencies.cpp
@@ -62,6 +62,7 @@ class Wiring {
   Findings findings_;
   std::unique_ptr<WiredGraph> result_;
   std::vector<ResolvedWire> wires_;
+  std::vector<std::vector<std::size_t>> wires_of_;  // by node, either end: index of wires_
   std::unordered_map<const InputPort*, std::vector<std::size_t>> wires_into_;  // index of wires_
   std::vector<NodeId> order_;
   /// A group's parameters belong to the description: what a run sets there is put back.

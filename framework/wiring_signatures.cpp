@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "framework/text.hpp"
 #include "framework/wiring.hpp"
 
@@ -24,8 +26,10 @@ bool numbers(const Signature& signature) {
 }  // namespace
 
 void Wiring::resolve_signatures() {
-  while (spread_signatures() || settle_natural()) {
-  }
+  std::vector<std::size_t> all(wires_.size());
+  std::iota(all.begin(), all.end(), 0);
+  spread_signatures(all);
+  settle_natural();
   for (NodeId id = 0; id < graph_.size(); ++id) {
     if (!result_->components_[id]) continue;
     for (const OutputPort* output : result_->components_[id]->outputs()) {
@@ -40,36 +44,35 @@ void Wiring::resolve_signatures() {
   }
 }
 
-bool Wiring::spread_signatures() {
-  bool changed = false;
-  const auto settle = [&](Port& port, const Signature& signature) {
+/// From these wires on, until nothing more becomes known.
+void Wiring::spread_signatures(std::vector<std::size_t> open) {
+  const auto settle = [&](Port& port, NodeId owner, const Signature& signature) {
     if (!port.generic() || port.signature()) return;
     port.set_signature(signature);
-    changed = true;
+    result_->components_[owner]->unify();
+    open.insert(open.end(), wires_of_[owner].begin(), wires_of_[owner].end());
   };
-  for (ResolvedWire& wire : wires_) {
-    if (const auto signature = read_signature(wire)) settle(*wire.to, *signature);
-    if (wire.to->signature() && wire.path.empty()) settle(*wire.from, *wire.to->signature());
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const ResolvedWire& wire = wires_[open[i]];
+    if (const auto signature = read_signature(wire)) settle(*wire.to, wire.to_node, *signature);
+    if (wire.to->signature() && wire.path.empty())
+      settle(*wire.from, wire.from_node, *wire.to->signature());
   }
-  if (changed)
-    for (const auto& component : result_->components_)
-      if (component) component->unify();
-  return changed;
 }
 
-bool Wiring::settle_natural() {
-  for (const auto& component : result_->components_) {
-    if (!component) continue;
+void Wiring::settle_natural() {
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    Component* component = result_->components_[id].get();
+    if (component == nullptr) continue;
     for (OutputPort* output : component->outputs()) {
       if (!output->generic() || output->signature()) continue;
       const auto natural = component->natural_signature();
       if (!natural) continue;
       output->set_signature(*natural);
       component->unify();
-      return true;
+      spread_signatures(wires_of_[id]);
     }
   }
-  return false;
 }
 
 void Wiring::check_wires() {

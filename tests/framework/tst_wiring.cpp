@@ -408,7 +408,7 @@ class TestWiring : public QObject {
       Rig rig;
       const NodeId end = backwards ? rig.add("Follower") : rig.add("Number");
       std::vector<NodeId> chain;
-      for (int i = 0; i < 2000; ++i)
+      for (int i = 0; i < 10000; ++i)
         chain.push_back(rig.add("GenericSum", "s" + std::to_string(i)));
       if (!backwards) rig.wire(end, "value", chain.front(), "inputs");
       for (std::size_t i = 1; i < chain.size(); ++i)
