@@ -28,7 +28,7 @@ const char* to_string(FaultCause cause) RT_SAFE {
 }
 
 void FaultLatch::raise(const Fault& fault) RT_SAFE {
-  for (std::size_t i = 0; i < size(); ++i)
+  for (std::size_t i = acknowledged_; i < size(); ++i)
     if (faults_[i].cause == fault.cause && faults_[i].component == fault.component) return;
   if (count_ < capacity) faults_[count_] = fault;
   ++count_;

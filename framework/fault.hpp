@@ -40,8 +40,11 @@ class FaultLatch {
  public:
   static constexpr std::size_t capacity = 64;
 
+  /// A cause that a component raised already, and that nobody acknowledged, is kept once.
   void raise(const Fault& fault) RT_SAFE;
-  bool latched() const RT_SAFE { return count_ > 0; }
+  /// What was raised so far is history; it stays in the list.
+  void acknowledge() RT_SAFE { acknowledged_ = size(); }
+  bool latched() const RT_SAFE { return count_ > acknowledged_; }
   std::size_t size() const RT_SAFE { return count_ < capacity ? count_ : capacity; }
   std::size_t raised() const RT_SAFE { return count_; }
   const Fault& operator[](std::size_t i) const RT_SAFE { return faults_[i]; }
@@ -49,6 +52,7 @@ class FaultLatch {
  private:
   std::array<Fault, capacity> faults_{};
   std::size_t count_ = 0;
+  std::size_t acknowledged_ = 0;
 };
 
 }  // namespace trocar

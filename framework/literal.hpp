@@ -25,7 +25,9 @@ struct Literal {
   std::string text() const;
 };
 
+/// A named part of a table.
 struct Literal::Entry {
+  Entry(std::string_view name, Literal part) : key(name), value(std::move(part)) {}
   std::string key;
   Literal value;
 };

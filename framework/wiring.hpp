@@ -39,7 +39,7 @@ class Wiring {
   void require_parameters();
   void resolve_wires();       // names → ports
   void resolve_signatures();  // wiring_signatures.cpp
-  void spread_signatures(std::vector<std::size_t> open);
+  void spread_signatures(const std::vector<std::size_t>& open);
   void settle_natural();
   void check_wires();
   void check_inputs();

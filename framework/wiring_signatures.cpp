@@ -44,19 +44,27 @@ void Wiring::resolve_signatures() {
   }
 }
 
-/// From these wires on, until nothing more becomes known.
-void Wiring::spread_signatures(std::vector<std::size_t> open) {
-  const auto settle = [&](Port& port, NodeId owner, const Signature& signature) {
+/// From these wires on. What a producer says goes before what its consumers ask for. Each component
+/// spreads what it learns at once: two of its ports that disagree would both be settled otherwise,
+/// and no wire would show it.
+void Wiring::spread_signatures(const std::vector<std::size_t>& open) {
+  std::vector<std::size_t> forwards = open, backwards = open;
+  const auto settle = [&](Port& port, NodeId node, const Signature& signature) {
     if (!port.generic() || port.signature()) return;
     port.set_signature(signature);
-    result_->components_[owner]->unify();
-    open.insert(open.end(), wires_of_[owner].begin(), wires_of_[owner].end());
+    result_->components_[node]->unify();
+    for (std::vector<std::size_t>* list : {&forwards, &backwards})
+      list->insert(list->end(), wires_of_[node].begin(), wires_of_[node].end());
   };
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    const ResolvedWire& wire = wires_[open[i]];
-    if (const auto signature = read_signature(wire)) settle(*wire.to, wire.to_node, *signature);
-    if (wire.to->signature() && wire.path.empty())
-      settle(*wire.from, wire.from_node, *wire.to->signature());
+  for (std::size_t f = 0, b = 0; f < forwards.size() || b < backwards.size();) {
+    if (f < forwards.size()) {
+      const ResolvedWire& wire = wires_[forwards[f++]];
+      if (const auto signature = read_signature(wire)) settle(*wire.to, wire.to_node, *signature);
+    } else {
+      const ResolvedWire& wire = wires_[backwards[b++]];
+      if (wire.to->signature() && wire.path.empty())
+        settle(*wire.from, wire.from_node, *wire.to->signature());
+    }
   }
 }
 

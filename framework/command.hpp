@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "framework/parameter.hpp"
+#include "framework/realtime/spsc_queue.hpp"
+
+namespace trocar {
+
+/// What an operator or a script asks of a running graph; taken at the beginning of a tick.
+struct Command {
+  enum class Kind { set_parameter, engage, acknowledge, stop_rendering, end };
+  Kind kind = Kind::end;
+  std::int64_t not_before = 0;  // tick
+  // set_parameter: checked against unit and range by whoever sends it.
+  ParameterBase* parameter = nullptr;
+  const char* owner = "";  // component
+  std::array<double, max_axes> target{};
+};
+
+using CommandQueue = SpscQueue<Command, 256>;
+
+}  // namespace trocar

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "framework/recording/row_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cstring>
+#include <map>
+
+#include "framework/text.hpp"
+
+namespace trocar {
+namespace {
+
+std::size_t recorded_size(const Signature& signature) {
+  const std::size_t fields = field_count(*signature.type, signature.axes);
+  if (signature.type->per_axis > 0) return 8 * fields;
+  return signature.type->size;
+}
+
+std::size_t align(std::size_t offset, std::size_t size) {
+  const std::size_t alignment = size == 1 ? 1 : 8;
+  return (offset + alignment - 1) / alignment * alignment;
+}
+
+std::string camel_case(std::string_view name) {
+  std::string result;
+  bool up = true;
+  for (const char c : name) {
+    if (c == '_' || c == '.') {
+      up = true;
+      continue;
+    }
+    result += up ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    up = false;
+  }
+  return result;
+}
+
+/// Gathers the messages of a row: one for each component and group, and the types that they use.
+class SchemaBuilder {
+ public:
+  explicit SchemaBuilder(const std::vector<RowPort>& ports) {
+    messages_.push_back({"trocar/Row", {}, {}});
+    for (const RowPort& port : ports) add(port);
+  }
+  Ros2Message& row() { return messages_.front(); }
+  std::vector<Ros2Message> take() { return std::move(messages_); }
+
+ private:
+  void add(const RowPort& port) {
+    std::string path;
+    std::size_t parent = 0;
+    const std::vector<std::string_view> parts = split(port.name, '.');
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+      path += (path.empty() ? "" : ".") + std::string(parts[i]);
+      parent = node(parent, std::string(parts[i]), path);
+    }
+    std::string comment = unit_list(port.signature);
+    if (!port.signature.frame.empty()) comment += " in " + port.signature.frame;
+    for (std::size_t i = 0; i < port.labels.size(); ++i)
+      comment += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, port.labels[i]);
+    const std::string type = type_name(port.signature);
+    messages_[parent].fields.push_back(
+        {std::string(parts.back()), type, 0, comment + (comment.empty() ? "" : " ") + port.doc});
+  }
+
+  static std::string unit_list(const Signature& signature) {
+    std::vector<std::string> symbols;
+    for (const Unit& unit : signature.units) symbols.push_back(si_symbol(unit.dimension));
+    const std::string all = join(symbols, ", ");
+    return all.empty() ? "" : "[" + all + "]";
+  }
+
+  std::size_t node(std::size_t parent, const std::string& name, const std::string& path) {
+    const auto [found, is_new] = nodes_.emplace(path, messages_.size());
+    if (is_new) {
+      const std::string message = "trocar/Node" + camel_case(path);
+      messages_[parent].fields.push_back({name, message, 0, {}});
+      messages_.push_back({message, {}, {}});
+    }
+    return found->second;
+  }
+
+  std::string type_name(const Signature& signature) {
+    const TypeInfo& type = *signature.type;
+    if (type.fields.empty())
+      return type.scalar == Scalar::real      ? "float64"
+             : type.scalar == Scalar::integer ? "int64"
+                                              : "bool";
+    const std::string name = "trocar/" + type.name +
+                             (type.per_axis > 0 ? std::to_string(signature.axes) : std::string());
+    if (types_.emplace(name, true).second) {
+      std::vector<Ros2Field> fields;
+      for (std::size_t i = 0; i < field_count(type, signature.axes); ++i)
+        fields.push_back({type.fields[i].name, type_name({type.fields[i].type, 0, {}, {}}), 0, {}});
+      messages_.push_back({name, std::move(fields), {}});
+    }
+    return name;
+  }
+
+  std::vector<Ros2Message> messages_;
+  std::map<std::string, std::size_t> nodes_;
+  std::map<std::string, bool> types_;
+};
+
+void add_signals(const std::string& name, const Signature& signature, std::size_t offset,
+                 std::vector<RowSignal>& signals) {
+  const TypeInfo& type = *signature.type;
+  if (type.fields.empty()) {
+    signals.push_back({name, type.scalar, signature.units.front(), offset});
+    return;
+  }
+  for (std::size_t i = 0; i < field_count(type, signature.axes); ++i) {
+    const FieldSelection field = select_field(signature, type.fields[i].name);
+    add_signals(name + "." + type.fields[i].name, field.signature, offset + field.offset, signals);
+  }
+}
+
+}  // namespace
+
+RowLayout::RowLayout(const WiredGraph& graph, const Selection& wanted) {
+  for (const ScheduleItem& item : graph.schedule()) components_.push_back(item.component->name());
+  size_ = sizeof(RowHeader) + 8 * components_.size();
+  for (const ScheduleItem& item : graph.schedule()) {
+    const bool device = dynamic_cast<const Device*>(item.component) != nullptr;
+    for (const OutputPort* output : item.component->outputs()) {
+      RowPort port{item.component->name() + "." + output->name(),
+                   *output->signature(),
+                   output->doc(),
+                   output->labels(),
+                   graph.offset_of(*output),
+                   0,
+                   recorded_size(*output->signature())};
+      if (wanted && !device && !wanted(port.name)) continue;
+      port.row_offset = align(size_, port.size);
+      size_ = port.row_offset + port.size;
+      add_segment(port);
+      ports_.push_back(std::move(port));
+    }
+  }
+}
+
+void RowLayout::add_segment(const RowPort& port) {
+  if (!segments_.empty()) {
+    Segment& last = segments_.back();
+    if (last.memory_offset + last.size == port.memory_offset &&
+        last.row_offset + last.size == port.row_offset) {
+      last.size += port.size;
+      return;
+    }
+  }
+  segments_.push_back({port.memory_offset, port.row_offset, port.size});
+}
+
+void RowLayout::capture(const RowHeader& header, std::span<const std::int64_t> times,
+                        const std::byte* memory, std::span<std::byte> row) const RT_SAFE {
+  std::memcpy(row.data(), &header, sizeof header);
+  std::memcpy(row.data() + sizeof header, times.data(), times.size_bytes());
+  for (const Segment& segment : segments_)
+    std::memcpy(row.data() + segment.row_offset, memory + segment.memory_offset, segment.size);
+}
+
+std::vector<RowSignal> RowLayout::signals() const {
+  std::vector<RowSignal> signals;
+  for (const RowPort& port : ports_)
+    add_signals(port.name, port.signature, port.row_offset, signals);
+  return signals;
+}
+
+std::vector<Ros2Message> RowLayout::messages() const {
+  SchemaBuilder builder(ports_);
+  std::vector<Ros2Field> head = {
+      {"tick", "int64", 0, "number of the slot"},
+      {"time", "int64", 0, "[ns] of the slot since the start"},
+      {"lateness", "int64", 0, "[ns] of the tick's beginning; 0 in virtual time"},
+      {"duration", "int64", 0, "[ns] of the tick before; 0 in virtual time"},
+      {"flags", "int64", 0, "1 fault latched, 2 rendering, 4 slots skipped before this one"},
+      {"step_times", "trocar/StepTimes", 0,
+       "[ns] of each component in this tick; 0 in virtual time"}};
+  Ros2Message times{"trocar/StepTimes", {}, {}};
+  for (const std::string& component : components_) {
+    std::string flat = component;
+    for (char& c : flat)
+      if (c == '.') c = '_';
+    times.fields.push_back({flat, "int64", 0, {}});
+  }
+  std::vector<Ros2Field>& fields = builder.row().fields;
+  fields.insert(fields.begin(), head.begin(), head.end());
+  std::vector<Ros2Message> messages = builder.take();
+  messages.push_back(std::move(times));
+  return messages;
+}
+
+}  // namespace trocar
