@@ -12,9 +12,8 @@ const ParameterSet& Graph::Node::settings() const {
 }
 
 std::optional<NodeId> Graph::find(std::string_view name) const {
-  for (NodeId id = 0; id < nodes_.size(); ++id)
-    if (nodes_[id].name == name) return id;
-  return std::nullopt;
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<std::string> Graph::free_name(std::string_view type, std::string_view name,
@@ -69,6 +68,7 @@ std::optional<NodeId> Graph::add(std::string_view type_name, std::string_view na
   } else {
     node.group = type->make_group();
   }
+  by_name_.emplace(node.name, nodes_.size());
   nodes_.push_back(std::move(node));
   apply_overrides(nodes_.size() - 1);
   return nodes_.size() - 1;
@@ -79,6 +79,7 @@ std::optional<NodeId> Graph::add_group(std::unique_ptr<ParameterSet> parameters,
                                        const Where& where, std::string_view scope) {
   auto full = free_name(type, name, where, scope);
   if (!full) return std::nullopt;
+  by_name_.emplace(*full, nodes_.size());
   nodes_.push_back({.name = std::move(*full), .where = where, .group = std::move(parameters)});
   apply_overrides(nodes_.size() - 1);
   return nodes_.size() - 1;

@@ -134,6 +134,7 @@ class Graph {
 
   const Registry& registry_;
   std::vector<Node> nodes_;
+  std::map<std::string, NodeId, std::less<>> by_name_;
   std::vector<Wire> wires_;
   std::vector<Link> links_;
   Findings findings_;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "framework/text.hpp"
 
@@ -109,8 +111,26 @@ Where Wiring::where_set(NodeId node, const std::string& parameter) const {
   return found == set_at.end() ? where_of(node) : found->second;
 }
 
+/// Each after the link that feeds its source, in whatever order they were declared.
+std::vector<const Graph::Link*> Wiring::ordered_links() const {
+  std::map<std::pair<NodeId, std::string_view>, std::vector<const Graph::Link*>> into;
+  for (const Graph::Link& link : graph_.links())
+    into[{link.to.node, link.to.name}].push_back(&link);
+  std::vector<const Graph::Link*> ordered;
+  std::set<const Graph::Link*> seen;
+  const auto visit = [&](const auto& self, const Graph::Link& link) -> void {
+    if (!seen.insert(&link).second) return;
+    if (const auto found = into.find({link.from.node, link.from.name}); found != into.end())
+      for (const Graph::Link* before : found->second) self(self, *before);
+    ordered.push_back(&link);
+  };
+  for (const Graph::Link& link : graph_.links()) visit(visit, link);
+  return ordered;
+}
+
 void Wiring::follow_links() {
-  for (const Graph::Link& link : graph_.links()) {
+  for (const Graph::Link* each : ordered_links()) {
+    const Graph::Link& link = *each;
     const Graph::Node& source = graph_.node(link.from.node);
     const Graph::Node& target = graph_.node(link.to.node);
     if (options_.set.contains(target.name + "." + link.to.name)) continue;
@@ -140,7 +160,8 @@ void Wiring::require_parameters() {
   for (NodeId id = 0; id < graph_.size(); ++id) {
     const Graph::Node& node = graph_.node(id);
     for (const ParameterBase* parameter : node.settings().parameters())
-      if (!parameter->assigned() && !node.set_at.contains(parameter->name()))
+      if (!parameter->assigned() && !node.set_at.contains(parameter->name()) &&
+          !options_.set.contains(node.name + "." + parameter->name()))
         findings_.add(
             node.where,
             fmt::format("{} needs \"{}\" ({}{})", node.name, parameter->name(), parameter->doc(),
@@ -151,6 +172,7 @@ void Wiring::require_parameters() {
 }
 
 void Wiring::resolve_wires() {
+  wires_of_.resize(graph_.size());
   for (const Graph::Wire& wire : graph_.wires()) {
     Component* source = result_->components_[wire.from.node].get();
     Component* target = result_->components_[wire.to.node].get();
@@ -168,25 +190,33 @@ void Wiring::resolve_wires() {
           fmt::format("{} has no input \"{}\"{}", graph_.node(wire.to.node).name, wire.to.port,
                       suggestion(wire.to.port, target ? port_names(target->inputs())
                                                       : std::vector<std::string>{})));
-    if (from != nullptr && to != nullptr)
-      wires_.push_back({wire.from.node, wire.to.node, from, to, wire.from.path, wire.where});
+    if (from == nullptr || to == nullptr) continue;
+    wires_into_[to].push_back(wires_.size());
+    wires_of_[wire.from.node].push_back(wires_.size());
+    wires_of_[wire.to.node].push_back(wires_.size());
+    wires_.push_back({wire.from.node, wire.to.node, from, to, wire.from.path, wire.where});
   }
+}
+
+const std::vector<std::size_t>& Wiring::wires_into(const InputPort& input) const {
+  static const std::vector<std::size_t> none;
+  const auto found = wires_into_.find(&input);
+  return found == wires_into_.end() ? none : found->second;
 }
 
 void Wiring::check_inputs() {
   for (NodeId id = 0; id < graph_.size(); ++id) {
     if (!result_->components_[id]) continue;
     for (const InputPort* input : result_->components_[id]->inputs()) {
-      std::vector<const ResolvedWire*> drivers;
-      for (const ResolvedWire& wire : wires_)
-        if (wire.to == input) drivers.push_back(&wire);
+      const std::vector<std::size_t>& drivers = wires_into(*input);
       if (drivers.empty() && !input->optional() && !input->variadic())
         findings_.add(where_of(id), fmt::format("{}.{} is not connected: {}", input->owner().name(),
                                                 input->name(), input->doc()));
       for (std::size_t i = 1; i < drivers.size() && !input->variadic(); ++i)
-        findings_.add(drivers[i]->where,
-                      fmt::format("{}.{} is driven already (at {}): add the two with + first",
-                                  input->owner().name(), input->name(), drivers[0]->where.text()));
+        findings_.add(
+            wires_[drivers[i]].where,
+            fmt::format("{}.{} is driven already (at {}): add the two with + first",
+                        input->owner().name(), input->name(), wires_[drivers[0]].where.text()));
     }
   }
 }
@@ -199,13 +229,17 @@ void Wiring::check_rates() {
     if (node.rate == 0.0) continue;
     const double ratio = options_.rate / node.rate;
     const double divider = std::round(ratio);
-    if (!(ratio >= 1.0 - 1e-9) || std::abs(ratio - divider) > 1e-9 * ratio)
+    if (!(node.rate > 0.0) || !(ratio >= 1.0 - 1e-9))
+      findings_.add(where_set(id, "rate"),
+                    fmt::format("{}: {} Hz is not within 0 to the thread's {} Hz", node.name,
+                                node.rate, options_.rate));
+    else if (std::abs(ratio - divider) > 1e-9 * ratio)
       findings_.add(
           where_set(id, "rate"),
-          fmt::format("{}: {} Hz does not divide the thread's {} Hz; near are {} and {} Hz",
-                      node.name, node.rate, options_.rate,
-                      options_.rate / std::max(1.0, std::floor(ratio)),
-                      options_.rate / std::max(1.0, std::ceil(ratio))));
+          fmt::format("{}: {:.6g} Hz does not divide the thread's {:.6g} Hz; near are {:.6g} and "
+                      "{:.6g} Hz",
+                      node.name, node.rate, options_.rate, options_.rate / std::floor(ratio),
+                      options_.rate / std::ceil(ratio)));
     else if (node.phase < 0 || static_cast<double>(node.phase) >= divider)
       findings_.add(where_set(id, "rate"), fmt::format("{}: phase {} is not within 0–{}", node.name,
                                                        node.phase, divider - 1.0));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <any>
+#include <unordered_map>
 
 #include "framework/wired_graph.hpp"
 
@@ -33,17 +34,19 @@ class Wiring {
   void instantiate();
   void apply_settings();
   ParameterBase* find_parameter(NodeId node, std::string_view name) const;
+  std::vector<const Graph::Link*> ordered_links() const;
   void follow_links();
   void require_parameters();
   void resolve_wires();       // names → ports
   void resolve_signatures();  // wiring_signatures.cpp
-  bool spread_signatures();
-  bool settle_natural();
+  void spread_signatures(const std::vector<std::size_t>& open);
+  void settle_natural();
   void check_wires();
   void check_inputs();
   void check_truth();  // wiring_dependencies.cpp
   void mark_dependencies();
   std::vector<bool> upstream(const InputPort& input) const;
+  const std::vector<std::size_t>& wires_into(const InputPort& input) const;
   void check_rates();
   void order();  // wiring_order.cpp
   void report_loop(const std::vector<NodeId>& waiting);
@@ -59,6 +62,8 @@ class Wiring {
   Findings findings_;
   std::unique_ptr<WiredGraph> result_;
   std::vector<ResolvedWire> wires_;
+  std::vector<std::vector<std::size_t>> wires_of_;  // by node, either end: index of wires_
+  std::unordered_map<const InputPort*, std::vector<std::size_t>> wires_into_;  // index of wires_
   std::vector<NodeId> order_;
   /// A group's parameters belong to the description: what a run sets there is put back.
   std::vector<std::pair<ParameterBase*, std::any>> borrowed_;

@@ -4,6 +4,13 @@
 #include "framework/wiring.hpp"
 
 namespace trocar {
+namespace {
+
+bool is_device(const Component& component) {
+  return dynamic_cast<const Device*>(&component) != nullptr;
+}
+
+}  // namespace
 
 /// Every node that the input's value is computed from. A device ends the search: what it measures
 /// is a measurement, whatever moved it.
@@ -13,11 +20,12 @@ std::vector<bool> Wiring::upstream(const InputPort& input) const {
   while (!open.empty()) {
     const InputPort* port = open.back();
     open.pop_back();
-    for (const ResolvedWire& wire : wires_) {
-      if (wire.to != port || reached[wire.from_node]) continue;
+    for (const std::size_t w : wires_into(*port)) {
+      const ResolvedWire& wire = wires_[w];
+      if (reached[wire.from_node]) continue;
       reached[wire.from_node] = true;
       const Component& source = wire.from->owner();
-      if (dynamic_cast<const Device*>(&source) != nullptr) continue;
+      if (is_device(source)) continue;
       for (const InputPort* next : source.inputs()) open.push_back(next);
     }
   }
@@ -31,8 +39,8 @@ void Wiring::check_truth() {
     for (const InputPort* input : {&device->hold_port(), &device->effort_port()}) {
       const std::vector<bool> reached = upstream(*input);
       for (const ResolvedWire& wire : wires_)
-        if (wire.from->truth() && (wire.to == input || reached[wire.to_node]) &&
-            dynamic_cast<const Device*>(&wire.to->owner()) != device)
+        if (wire.from->truth() &&
+            (wire.to == input || (reached[wire.to_node] && !is_device(wire.to->owner()))))
           findings_.add(wire.where,
                         fmt::format("{}: only a simulation knows {}.{}, so nothing that reaches "
                                     "{}.{} may be computed from it; record or plot it instead",

@@ -15,8 +15,11 @@ namespace trocar {
 void Wiring::order() {
   std::vector<std::size_t> waits_for(graph_.size(), 0);
   std::vector<std::size_t> would_follow(graph_.size(), 0);
-  for (const ResolvedWire& wire : wires_)
+  std::vector<std::vector<const ResolvedWire*>> wires_from(graph_.size());
+  for (const ResolvedWire& wire : wires_) {
     ++(wire.to->feedthrough() ? waits_for : would_follow)[wire.to_node];
+    wires_from[wire.from_node].push_back(&wire);
+  }
 
   const auto rank = [&](NodeId id) {
     const bool device = dynamic_cast<const Device*>(result_->components_[id].get()) != nullptr;
@@ -33,12 +36,11 @@ void Wiring::order() {
     order_.push_back(id);
     if (auto* device = dynamic_cast<Device*>(result_->components_[id].get()))
       result_->devices_.push_back(device);
-    for (const ResolvedWire& wire : wires_) {
-      if (wire.from_node != id) continue;
-      if (!wire.to->feedthrough())
-        --would_follow[wire.to_node];
-      else if (--waits_for[wire.to_node] == 0)
-        ready.push_back(wire.to_node);
+    for (const ResolvedWire* wire : wires_from[id]) {
+      if (!wire->to->feedthrough())
+        --would_follow[wire->to_node];
+      else if (--waits_for[wire->to_node] == 0)
+        ready.push_back(wire->to_node);
     }
   }
 

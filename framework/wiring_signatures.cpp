@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "framework/text.hpp"
 #include "framework/wiring.hpp"
 
@@ -24,8 +26,10 @@ bool numbers(const Signature& signature) {
 }  // namespace
 
 void Wiring::resolve_signatures() {
-  while (spread_signatures() || settle_natural()) {
-  }
+  std::vector<std::size_t> all(wires_.size());
+  std::iota(all.begin(), all.end(), 0);
+  spread_signatures(all);
+  settle_natural();
   for (NodeId id = 0; id < graph_.size(); ++id) {
     if (!result_->components_[id]) continue;
     for (const OutputPort* output : result_->components_[id]->outputs()) {
@@ -40,41 +44,43 @@ void Wiring::resolve_signatures() {
   }
 }
 
-/// What a producer says goes before what its consumers ask for. Each component spreads what it
-/// learns at once: two of its ports that disagree would both be settled otherwise, and no wire
-/// would show it.
-bool Wiring::spread_signatures() {
+/// From these wires on. What a producer says goes before what its consumers ask for. Each component
+/// spreads what it learns at once: two of its ports that disagree would both be settled otherwise,
+/// and no wire would show it.
+void Wiring::spread_signatures(const std::vector<std::size_t>& open) {
+  std::vector<std::size_t> forwards = open, backwards = open;
   const auto settle = [&](Port& port, NodeId node, const Signature& signature) {
-    if (!port.generic() || port.signature()) return false;
+    if (!port.generic() || port.signature()) return;
     port.set_signature(signature);
     result_->components_[node]->unify();
-    return true;
+    for (std::vector<std::size_t>* list : {&forwards, &backwards})
+      list->insert(list->end(), wires_of_[node].begin(), wires_of_[node].end());
   };
-  bool changed = false;
-  for (ResolvedWire& wire : wires_)
-    if (const auto signature = read_signature(wire))
-      changed |= settle(*wire.to, wire.to_node, *signature);
-  if (changed) return true;
-  for (ResolvedWire& wire : wires_)
-    if (wire.to->signature() && wire.path.empty() &&
-        settle(*wire.from, wire.from_node, *wire.to->signature()))
-      return true;
-  return false;
+  for (std::size_t f = 0, b = 0; f < forwards.size() || b < backwards.size();) {
+    if (f < forwards.size()) {
+      const ResolvedWire& wire = wires_[forwards[f++]];
+      if (const auto signature = read_signature(wire)) settle(*wire.to, wire.to_node, *signature);
+    } else {
+      const ResolvedWire& wire = wires_[backwards[b++]];
+      if (wire.to->signature() && wire.path.empty())
+        settle(*wire.from, wire.from_node, *wire.to->signature());
+    }
+  }
 }
 
-bool Wiring::settle_natural() {
-  for (const auto& component : result_->components_) {
-    if (!component) continue;
+void Wiring::settle_natural() {
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    Component* component = result_->components_[id].get();
+    if (component == nullptr) continue;
     for (OutputPort* output : component->outputs()) {
       if (!output->generic() || output->signature()) continue;
       const auto natural = component->natural_signature();
       if (!natural) continue;
       output->set_signature(*natural);
       component->unify();
-      return true;
+      spread_signatures(wires_of_[id]);
     }
   }
-  return false;
 }
 
 void Wiring::check_wires() {

@@ -520,6 +520,21 @@ class TestGate : public QObject {
     QCOMPARE(rig.sent(0), 5.0);
   }
 
+  void homing_lost_while_cold_and_moving_leaves_no_stale_damping() {
+    GateRig rig;
+    rig.device.engaged_at_start = false;
+    rig.gate();
+    for (int i = 0; i < 10; ++i) {
+      rig.position[0] += 1e-4;
+      rig.pass();
+    }
+    QVERIFY(rig.sent(0) < -0.1);
+    rig.device.report.homed = false;
+    rig.pass();
+    QCOMPARE(rig.gate().state(), Gate::State::cold);
+    QCOMPARE(rig.sent(0), 0.0);
+  }
+
   void a_report_that_comes_back_elsewhere_is_no_second_fault() {
     GateRig rig;
     rig.gate();
