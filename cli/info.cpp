@@ -27,7 +27,7 @@ struct Options {
 bool any_matches(const LogSummary& log, const std::string& pattern,
                  std::vector<std::string>& names) {
   for (const LogSummary::Channel& channel : log.channels)
-    for (const LogSignal& signal : channel.signals) {
+    for (const LogSignal& signal : channel.signal_list) {
       if (matches(pattern, signal.name)) return true;
       names.push_back(signal.name);
     }
@@ -67,14 +67,14 @@ void add_info(CLI::App& app, int& status) {
   command->add_option("LOG", options->file, "Log in MCAP format, from Trocar or anybody else")
       ->required();
   CLI::Option* signals =
-      command
-          ->add_option("--signals", options->pattern,
-                       "Print first, last, least and greatest value of each signal, or of those "
-                       "that PATTERN means: a part of the name, or all of it with * and ?")
+      command->add_option("--signals", options->pattern, "Print the signals' values")
           ->expected(0, 1)
           ->type_name("[PATTERN]");
   command->add_flag("--json", options->json, "Print JSON");
-  command->footer("Example:\n  trocar info demo.mcap --signals 'wall.*'");
+  command->footer(
+      "--signals prints the first, last, least and greatest value of each signal, or\n"
+      "of those that PATTERN means: a part of the name, or all of it with * and ?.\n\n"
+      "Example:\n  trocar info demo.mcap --signals 'wall.*'");
   command->callback([options, signals, &status] {
     options->with_values = signals->count() > 0;
     try {

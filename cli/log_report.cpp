@@ -126,7 +126,7 @@ std::string unit_text(const std::vector<LogSignal>& signals, std::size_t begin, 
 /// The signals by name, those of one port together.
 std::string names_text(const Channel& channel) {
   TextTable table;
-  const std::vector<LogSignal>& signals = channel.signals;
+  const std::vector<LogSignal>& signals = channel.signal_list;
   for (std::size_t begin = 0, end = 0; begin < signals.size(); begin = end) {
     while (end < signals.size() && signals[end].port == signals[begin].port) ++end;
     if (channel.rows && belongs_to_row_head(signals[begin])) continue;
@@ -147,7 +147,7 @@ std::string parent_of(const std::string& name) {
 std::string values_text(const Channel& channel, const std::string& pattern) {
   constexpr const char* line = "  {:<21} {:<8}{:>12}{:>12}{:>12}{:>12}\n";
   std::string text, parent;
-  for (const LogSignal& signal : channel.signals) {
+  for (const LogSignal& signal : channel.signal_list) {
     if (signal.count == 0 || signal.is_text || !matches(pattern, signal.name)) continue;
     if (text.empty())
       text = "\nSignals of " + plain(channel.topic) + '\n' +
@@ -176,7 +176,7 @@ Json channel_json(const Channel& channel, const std::optional<std::string>& patt
     json["runs"] = channel.ticks.runs();
   }
   json["signals"] = Json::array();
-  for (const LogSignal& signal : channel.signals) {
+  for (const LogSignal& signal : channel.signal_list) {
     if (pattern && !matches(*pattern, signal.name)) continue;
     Json one = {{"name", signal.name}, {"unit", signal.unit}};
     if (pattern && !signal.is_text) {

@@ -41,7 +41,7 @@ class ChannelReader {
     }
     try {
       decoder_ = std::make_unique<Ros2Decoder>(schema->name, schema->data);
-      channel.signals = signals_of(parse_ros2_schema(schema->name, schema->data));
+      channel.signal_list = signals_of(parse_ros2_schema(schema->name, schema->data));
     } catch (const std::invalid_argument& error) {
       channel.problem = std::string("only counted: ") + error.what();
       return;
@@ -81,7 +81,7 @@ class ChannelReader {
     if (!values_) return;
     std::size_t i = 0;
     decoder_->visit(message.payload, [&](const Ros2Leaf&, const Ros2Value& value) {
-      channel_.signals[i++].add(as_double(value));
+      channel_.signal_list[i++].add(as_double(value));
     });
   }
 

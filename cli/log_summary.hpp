@@ -25,7 +25,7 @@ struct LogSummary {
     TickGaps ticks{};       // of rows
     std::string problem{};  // why it was not decoded, or not to its end
     bool damaged = false;   // its messages do not fit its schema
-    std::vector<LogSignal> signals{};
+    std::vector<LogSignal> signal_list{};
 
     double rate() const;  // [Hz], 0 where unknown
   };

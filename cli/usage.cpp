@@ -75,7 +75,7 @@ void set_up(CLI::App& app) {
 int report(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = deepest(app);
   if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr) {
-    print(command.help());
+    print(app.help());
     return success;
   }
   if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) {

@@ -18,7 +18,8 @@ inline Ran run_trocar(const QStringList& arguments, const QByteArray& input = {}
   process.start(TROCAR_BINARY, arguments);
   process.write(input);
   process.closeWriteChannel();
-  const bool ended = process.waitForFinished(60'000) && process.exitStatus() == QProcess::NormalExit;
+  const bool ended =
+      process.waitForFinished(60'000) && process.exitStatus() == QProcess::NormalExit;
   return {ended ? process.exitCode() : -1, process.readAllStandardOutput(),
           process.readAllStandardError()};
 }

@@ -83,14 +83,14 @@ class TestDescription : public QObject {
           "Inputs\n  position  Vector3 [m] in device, wired by at\n            Where it is\n",
           "  gain      double, optional\n", "Outputs\n  force  Vector3 [N] in device\n",
           "  stiffness  number, 0–50 N/mm, default 2200 N/m, live\n",
-          "  mass       number [kg], required\n", "  axis       one of \"x\", \"y\", default \"x\"\n"})
+          "  mass       number [kg], required\n",
+          "  axis       one of \"x\", \"y\", default \"x\"\n"})
       QVERIFY2(text.find(part) != std::string::npos, (part + ("\nis not in\n" + text)).c_str());
   }
 
   void no_line_is_wider_than_a_terminal() {
     for (const ComponentType& type : registry_.types()) {
-      const QString text =
-          QString::fromStdString(description_text(describe(registry_, type.name)));
+      const QString text = QString::fromStdString(description_text(describe(registry_, type.name)));
       for (const QString& line : text.split('\n'))
         QVERIFY2(line.size() <= 80 || line.contains("trocar."), qPrintable(line));
     }

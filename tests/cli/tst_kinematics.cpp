@@ -26,8 +26,7 @@ QByteArray read_file(const std::string& path) {
 std::vector<std::string> matrix(const std::string& name, int size) {
   std::vector<std::string> names;
   for (int i = 1; i <= size; ++i)
-    for (int j = 1; j <= size; ++j)
-      names.push_back(name + std::to_string(i) + std::to_string(j));
+    for (int j = 1; j <= size; ++j) names.push_back(name + std::to_string(i) + std::to_string(j));
   return names;
 }
 
@@ -76,16 +75,15 @@ class TestKinematics : public QObject {
       return strings;
     };
     const QStringList six_dof = {"xd", "yd", "zd", "xt", "yt", "thetat"};
-    QTest::newRow("fk") << "fk" << six_dof + QStringList{"xe", "ye", "ze", "alpha", "beta", "theta"} +
+    QTest::newRow("fk") << "fk"
+                        << six_dof + QStringList{"xe", "ye", "ze", "alpha", "beta", "theta"} +
                                list(matrix("R", 3))
                         << 1e-12 << false;
-    QTest::newRow("ik") << "ik"
-                        << QStringList{"q1", "q2", "q3", "phi1", "phi2", "phi3"} + six_dof << 1e-12
-                        << false;
+    QTest::newRow("ik") << "ik" << QStringList{"q1", "q2", "q3", "phi1", "phi2", "phi3"} + six_dof
+                        << 1e-12 << false;
     QTest::newRow("jacobian") << "jacobian" << list(matrix("J", 6)) << 1e-10 << true;
-    QTest::newRow("gravity") << "gravity"
-                             << QStringList{"V",     "taug1", "taug2", "taug3",
-                                            "taug4", "taug5", "taug6"}
+    QTest::newRow("gravity") << "gravity" << QStringList{"V",     "taug1", "taug2", "taug3",
+                                                         "taug4", "taug5", "taug6"}
                              << 1e-10 << false;
   }
   void every_row_of_the_vectors() {
@@ -138,48 +136,54 @@ class TestKinematics : public QObject {
     const QByteArray header = "q1,q2,q3,phi1,phi2,phi3";
     const QByteArray q = "-.25,-.25,-.25,0,2.0943951,4.1887902";
     const QByteArray pose = "xe,ye,ze,alpha,beta,theta\n";
-    QTest::newRow("rows without id are numbered") << "fk" << straight << QByteArray("id")
-                                                  << QByteArray("1");
-    QTest::newRow("an empty id stays empty")
-        << "fk" << "id," + header + "\n," + q + "\n" << QByteArray("id") << QByteArray();
+    QTest::newRow("rows without id are numbered")
+        << "fk" << straight << QByteArray("id") << QByteArray("1");
+    QTest::newRow("an empty id stays empty") << "fk"
+                                             << "id," + header + "\n," + q + "\n"
+                                             << QByteArray("id") << QByteArray();
     QTest::newRow("inside all limits") << "fk" << straight << QByteArray("limits") << QByteArray();
     QTest::newRow("two limits at once")
-        << "fk" << header + "\n-.18,-.18,-.25,0,2.0943951,4.1887902\n" << QByteArray("limits")
-        << QByteArray("slider_1_high;slider_2_high");
+        << "fk" << header + "\n-.18,-.18,-.25,0,2.0943951,4.1887902\n"
+        << QByteArray("limits") << QByteArray("slider_1_high;slider_2_high");
     QTest::newRow("a ring past its travel, computed all the same")
         << "jacobian" << header + "\n-.25,-.25,-.25,5,7.0943951,9.1887902\n"
         << QByteArray("limits") << QByteArray("ring_1_high;ring_2_high;ring_3_high");
-    QTest::newRow("out of reach")
-        << "ik" << pose + "0.5,0,0.1,0,0,0\n" << QByteArray("error")
-        << QByteArray("delta links cannot reach");
-    QTest::newRow("out of reach gives nan")
-        << "ik" << pose + "0.5,0,0.1,0,0,0\n" << QByteArray("phi2") << QByteArray("nan");
+    QTest::newRow("out of reach") << "ik" << pose + "0.5,0,0.1,0,0,0\n"
+                                  << QByteArray("error") << QByteArray("delta links cannot reach");
+    QTest::newRow("out of reach gives nan") << "ik" << pose + "0.5,0,0.1,0,0,0\n"
+                                            << QByteArray("phi2") << QByteArray("nan");
     QTest::newRow("nan in, a reason out")
-        << "fk" << header + "\nnan,-.25,-.25,0,0,0\n" << QByteArray("error")
-        << QByteArray("a coordinate is not a finite number");
-    QTest::newRow("a field in quotes") << "fk" << header + "\n\"-.25\",-.25,-.25,0,\"2.0943951\",4.1887902\n"
-                                       << QByteArray("error") << QByteArray();
+        << "fk" << header + "\nnan,-.25,-.25,0,0,0\n"
+        << QByteArray("error") << QByteArray("a coordinate is not a finite number");
+    QTest::newRow("a field in quotes")
+        << "fk" << header + "\n\"-.25\",-.25,-.25,0,\"2.0943951\",4.1887902\n"
+        << QByteArray("error") << QByteArray();
     QTest::newRow("lines of Windows") << "fk" << QByteArray(straight).replace("\n", "\r\n")
                                       << QByteArray("theta") << QByteArray("0");
-    QTest::newRow("empty lines") << "fk" << "\n \n" + QByteArray(straight).replace("\n", "\n\n")
+    QTest::newRow("empty lines") << "fk"
+                                 << "\n \n" + QByteArray(straight).replace("\n", "\n\n")
                                  << QByteArray("theta") << QByteArray("0");
-    QTest::newRow("a byte order mark") << "fk" << "\xef\xbb\xbf" + straight << QByteArray("theta")
-                                       << QByteArray("0");
+    QTest::newRow("a byte order mark")
+        << "fk"
+        << "\xef\xbb\xbf" + straight << QByteArray("theta") << QByteArray("0");
     QTest::newRow("blanks around fields")
         << "fk" << QByteArray(straight).replace(",", " , ").replace("\n", " \n")
         << QByteArray("theta") << QByteArray("0");
     QTest::newRow("a plus sign") << "fk" << QByteArray(straight).replace(",0,", ",+0,")
                                  << QByteArray("theta") << QByteArray("0");
-    QTest::newRow("no line end at the end") << "fk" << straight.chopped(1) << QByteArray("theta")
-                                            << QByteArray("0");
+    QTest::newRow("no line end at the end")
+        << "fk" << straight.chopped(1) << QByteArray("theta") << QByteArray("0");
     QTest::newRow("an empty field of its own geometry takes the default")
-        << "fk" << "l," + header + "\n," + q + "\n" << QByteArray("theta") << QByteArray("0");
+        << "fk"
+        << "l," + header + "\n," + q + "\n"
+        << QByteArray("theta") << QByteArray("0");
     QTest::newRow("a column that is not needed may hold anything")
-        << "fk" << "m_sl,note," + header + "\nheavy,\"a, b\"," + q + "\n" << QByteArray("theta")
-        << QByteArray("0");
-    QTest::newRow("no gravity, no effort")
-        << "gravity" << "gx,gy,gz," + header + "\n0,0,0," + q + "\n" << QByteArray("taug1")
-        << QByteArray("-0");
+        << "fk"
+        << "m_sl,note," + header + "\nheavy,\"a, b\"," + q + "\n"
+        << QByteArray("theta") << QByteArray("0");
+    QTest::newRow("no gravity, no effort") << "gravity"
+                                           << "gx,gy,gz," + header + "\n0,0,0," + q + "\n"
+                                           << QByteArray("taug1") << QByteArray("-0");
   }
   void a_row_that_can_be_read_gets_an_answer() {
     QFETCH(QString, question);
@@ -223,35 +227,35 @@ class TestKinematics : public QObject {
     QTest::newRow("a column that stands twice")
         << QByteArray("q1,q1,q2,q3,phi1,phi2,phi3\n")
         << QByteArrayList{"line 1: column \"q1\" stands twice"};
-    QTest::newRow("semicolons")
-        << QByteArray("q1;q2;q3;phi1;phi2;phi3\n")
-        << QByteArrayList{"line 1: the header has no comma"};
+    QTest::newRow("semicolons") << QByteArray("q1;q2;q3;phi1;phi2;phi3\n")
+                                << QByteArrayList{"line 1: the header has no comma"};
     QTest::newRow("no number") << header + good + "b,-.25,abc,-.25,0,0,0\n"
                                << QByteArrayList{"line 3: column \"q2\": \"abc\" is no number",
                                                  "(answered before it: 1 row)"};
     QTest::newRow("a number with a tail")
         << header + "a,-.25,1.5m,0,0,0,0\n"
         << QByteArrayList{"line 2: column \"q2\": \"1.5m\" is no number"};
-    QTest::newRow("an empty field")
-        << header + "a,-.25,,0,0,0,0\n"
-        << QByteArrayList{"line 2: column \"q2\": the field is empty"};
+    QTest::newRow("an empty field") << header + "a,-.25,,0,0,0,0\n"
+                                    << QByteArrayList{"line 2: column \"q2\": the field is empty"};
     QTest::newRow("a number too large")
         << header + "a,1e999,0,0,0,0,0\n"
         << QByteArrayList{"line 2: column \"q1\": \"1e999\" is beyond"};
-    QTest::newRow("too few fields") << header + "\na,1,2\n"
-                                    << QByteArrayList{"line 3: the row has 3 fields, the header has 7"};
+    QTest::newRow("too few fields")
+        << header + "\na,1,2\n"
+        << QByteArrayList{"line 3: the row has 3 fields, the header has 7"};
     QTest::newRow("too many fields") << header + "a,1,2,3,4,5,6,7\n"
                                      << QByteArrayList{"line 2: the row has 8 fields"};
     QTest::newRow("blanks inside quotes belong to the field")
         << header + "a,\" 1 \",0,0,0,0,0\n"
         << QByteArrayList{"line 2: column \"q1\": \" 1 \" is no number"};
-    QTest::newRow("an open quote") << header + "\"a,1,2,3,4,5,6\n" + good
-                                   << QByteArrayList{"line 2: a quote is not closed"};
+    QTest::newRow("an open quote")
+        << header + "\"a,1,2,3,4,5,6\n" + good << QByteArrayList{"line 2: a quote is not closed"};
     QTest::newRow("text behind a quote")
         << header + "\"a\"b,1,2,3,4,5,6\n"
         << QByteArrayList{"line 2: field 1: text follows the closing quote"};
     QTest::newRow("control characters do not reach the terminal")
-        << header + "a,\x1b[2J,0,0,0,0,0\n" << QByteArrayList{"\"\\x1b[2J\" is no number"};
+        << header + "a,\x1b[2J,0,0,0,0,0\n"
+        << QByteArrayList{"\"\\x1b[2J\" is no number"};
   }
   void malformed_input_is_refused() {
     QFETCH(QByteArray, input);

@@ -64,9 +64,10 @@ class TestUsage : public QObject {
 
   void a_reader_that_had_enough_is_no_error() {
     QProcess shell;
-    shell.start("bash", {"-c", "set -o pipefail; { echo q1,q2,q3,phi1,phi2,phi3; for i in {1..20000};"
-                               " do echo 0,0,0,0,0,0; done; } | " TROCAR_BINARY
-                               " kinematics jacobian | head -n 1; echo ${PIPESTATUS[1]}"});
+    shell.start("bash", {"-c",
+                         "set -o pipefail; { echo q1,q2,q3,phi1,phi2,phi3; for i in {1..20000};"
+                         " do echo 0,0,0,0,0,0; done; } | " TROCAR_BINARY
+                         " kinematics jacobian | head -n 1; echo ${PIPESTATUS[1]}"});
     QVERIFY(shell.waitForFinished(60'000));
     QCOMPARE(shell.readAllStandardError(), QByteArray());
     QVERIFY(shell.readAllStandardOutput().endsWith("\n0\n"));
