@@ -27,7 +27,7 @@ std::string plain(const std::string& text) {
 
 std::string rate_text(double hertz) {
   if (!(hertz > 0.0)) return "";
-  return hertz >= 1000.0 ? fmt::format("{:.4g} kHz", hertz / 1000.0)
+  return hertz >= 999.95 ? fmt::format("{:.4g} kHz", hertz / 1000.0)
                          : fmt::format("{:.4g} Hz", hertz);
 }
 
@@ -67,7 +67,7 @@ std::string events_text(const LogSummary& log) {
     const LogSummary::Event& event = log.events[i];
     std::string what = event.source;
     if (!event.detail.empty()) what += (what.empty() ? "" : ": ") + event.detail;
-    if (event.value != 0.0) what += fmt::format(" {:.6g}", event.value);
+    if (event.value != 0.0) what += fmt::format(", value {:.6g}", event.value);
     if (event.limit != 0.0) what += fmt::format(" (limit {:.6g})", event.limit);
     table.row({fmt::format("{:.3f} s", 1e-9 * static_cast<double>(event.time_ns)),
                fmt::format("tick {}", event.tick), plain(event.kind), plain(what)});

@@ -148,9 +148,9 @@ class TestInfo : public QObject {
     const QString text = QString::fromStdString(log_text(log, std::nullopt));
     for (const char* part :
          {"  Complete    yes\n", "  Duration    0.104 s\n",
-          "3 rows lost in 1 gap, the first behind\n", "1 slot skipped by the loop",
+          "  1 kHz  trocar/Row: 3 rows lost in 1 gap, the first", "1 slot skipped by the loop",
           "only counted: its schema is not ros2msg",
-          "  0.071 s  tick 71  gate  device: effort was limited 250 (limit 200)\n",
+          "  0.071 s  tick 71  gate  device: effort was limited, value 250 (limit 200)\n",
           "Published: table1 (3 rows)\n  axis = x, slope = 4.85\n  axis = y, slope = 5.78\n  {no\n",
           "  wall.lua  14 B  text/x-lua\n", "  wall.force  6 numbers  N, N m\n",
           "  wall.depth             m\n"})

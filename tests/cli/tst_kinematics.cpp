@@ -142,9 +142,9 @@ class TestKinematics : public QObject {
                                              << "id," + header + "\n," + q + "\n"
                                              << QByteArray("id") << QByteArray();
     QTest::newRow("inside all limits") << "fk" << straight << QByteArray("limits") << QByteArray();
-    QTest::newRow("two limits at once")
+    QTest::newRow("three limits at once")
         << "fk" << header + "\n-.18,-.18,-.25,0,2.0943951,4.1887902\n"
-        << QByteArray("limits") << QByteArray("slider_1_high;slider_2_high");
+        << QByteArray("limits") << QByteArray("slider_1_high;slider_2_high;tilt");
     QTest::newRow("a ring past its travel, computed all the same")
         << "jacobian" << header + "\n-.25,-.25,-.25,5,7.0943951,9.1887902\n"
         << QByteArray("limits") << QByteArray("ring_1_high;ring_2_high;ring_3_high");
