@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/App.hpp>
+
+/// @file
+/// The subcommands of `trocar`. Each function adds one; when it runs it sets `status`.
+
+namespace trocar::cli {
+
+/// What `trocar` ends with.
+enum ExitStatus : int {
+  success = 0,
+  failed = 1,  // the run or a check failed
+  misused = 2  // wrong usage, or a broken script
+};
+
+void add_check(CLI::App& app, int& status);
+void add_describe(CLI::App& app, int& status);
+void add_info(CLI::App& app, int& status);
+void add_kinematics(CLI::App& app, int& status);
+void add_list(CLI::App& app, int& status);
+void add_run(CLI::App& app, int& status);
+
+}  // namespace trocar::cli

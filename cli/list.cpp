@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/catalogue.hpp"
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "components/register.hpp"
+
+namespace trocar::cli {
+
+void add_list(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("list", "List the components that a script can use");
+  const auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "Print JSON");
+  command->footer("Example:\n  trocar list");
+  command->callback([json, &status] {
+    Registry registry;
+    register_components(registry);
+    if (*json)
+      print_json(catalogue_json(registry));
+    else
+      print(catalogue_text(registry));
+    status = success;
+  });
+}
+
+}  // namespace trocar::cli
