@@ -119,9 +119,9 @@ double InputPort::delay() const {
   return longest;
 }
 
-double InputPort::resolution(std::size_t i) const {
-  if (sources_.empty()) return 0.0;
-  const Source& source = sources_.front();
+double InputPort::resolution(std::size_t i, std::size_t from) const {
+  if (from >= sources_.size()) return 0.0;
+  const Source& source = sources_[from];
   const std::size_t at = source.offset / sizeof(double) + i;
   const std::vector<double>& all = source.output->quality.resolution;
   return at < all.size() ? all[at] : 0.0;

@@ -107,6 +107,7 @@ class OutputPort : public Port {
 struct Source {
   const OutputPort* output = nullptr;
   std::size_t offset = 0;  // [bytes]
+  bool this_tick = true;   // the output is written before it is read; else it is a tick old
 };
 
 class InputPort : public Port {
@@ -123,8 +124,8 @@ class InputPort : public Port {
 
   /// [s] behind what the signal stands for.
   double delay() const;
-  /// The step that one count makes in the i-th number of the value; 0 for an exact signal.
-  double resolution(std::size_t i = 0) const;
+  /// The step that one count makes in the i-th number of a source; 0 for an exact signal.
+  double resolution(std::size_t i = 0, std::size_t source = 0) const;
 
  protected:
   InputPort(Component* owner, std::string_view name, const TypeInfo* type,

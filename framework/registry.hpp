@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -40,10 +41,10 @@ class Registry {
   const ComponentType* find(std::string_view name) const;
   std::vector<std::string> names() const;
   /// In the order of registration.
-  const std::vector<ComponentType>& types() const { return types_; }
+  const std::deque<ComponentType>& types() const { return types_; }
 
  private:
-  std::vector<ComponentType> types_;
+  std::deque<ComponentType> types_;  // graphs point to its elements
 };
 
 }  // namespace trocar

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/text.hpp"
@@ -250,8 +251,10 @@ void Wiring::lay_out_memory() {
 }
 
 void Wiring::connect() {
+  const auto position = [&](NodeId id) { return std::find(order_.begin(), order_.end(), id); };
   for (const ResolvedWire& wire : wires_)
-    wire.to->connect({wire.from, select_field(*wire.from->signature(), wire.path).offset});
+    wire.to->connect({wire.from, select_field(*wire.from->signature(), wire.path).offset,
+                      position(wire.from_node) < position(wire.to_node)});
 }
 
 void Wiring::configure() {

@@ -2,38 +2,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "framework/text.hpp"
 #include "framework/wiring.hpp"
 
 namespace trocar {
 
-/// Kahn's algorithm. Devices come first, since they report the position of this tick; where the
-/// wiring leaves a choice, the order of declaration decides.
+/// Kahn's algorithm. Devices come first, since they report the position of this tick. An input
+/// without feedthrough may be read before its producer steps, but comes after it where no loop
+/// forbids it, so that its component knows the producer's quality when it is configured. Where
+/// that leaves a choice, the order of declaration decides.
 void Wiring::order() {
   std::vector<std::size_t> waits_for(graph_.size(), 0);
+  std::vector<std::size_t> would_follow(graph_.size(), 0);
   for (const ResolvedWire& wire : wires_)
-    if (wire.to->feedthrough()) ++waits_for[wire.to_node];
+    ++(wire.to->feedthrough() ? waits_for : would_follow)[wire.to_node];
 
   const auto rank = [&](NodeId id) {
     const bool device = dynamic_cast<const Device*>(result_->components_[id].get()) != nullptr;
-    return std::pair(device ? 0 : 1, id);
+    return std::pair(device ? 0 : would_follow[id] == 0 ? 1 : 2, id);
   };
-  std::set<std::pair<int, NodeId>> ready;
-  for (NodeId id = 0; id < graph_.size(); ++id) {
-    if (!result_->components_[id]) continue;
-    if (waits_for[id] == 0) ready.insert(rank(id));
-  }
+  std::vector<NodeId> ready;
+  for (NodeId id = 0; id < graph_.size(); ++id)
+    if (result_->components_[id] && waits_for[id] == 0) ready.push_back(id);
   while (!ready.empty()) {
-    const NodeId id = ready.begin()->second;
-    ready.erase(ready.begin());
+    const auto first = std::min_element(ready.begin(), ready.end(),
+                                        [&](NodeId a, NodeId b) { return rank(a) < rank(b); });
+    const NodeId id = *first;
+    ready.erase(first);
     order_.push_back(id);
     if (auto* device = dynamic_cast<Device*>(result_->components_[id].get()))
       result_->devices_.push_back(device);
-    for (const ResolvedWire& wire : wires_)
-      if (wire.from_node == id && wire.to->feedthrough() && --waits_for[wire.to_node] == 0)
-        ready.insert(rank(wire.to_node));
+    for (const ResolvedWire& wire : wires_) {
+      if (wire.from_node != id) continue;
+      if (!wire.to->feedthrough())
+        --would_follow[wire.to_node];
+      else if (--waits_for[wire.to_node] == 0)
+        ready.push_back(wire.to_node);
+    }
   }
 
   std::vector<NodeId> waiting;

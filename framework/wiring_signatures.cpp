@@ -40,21 +40,26 @@ void Wiring::resolve_signatures() {
   }
 }
 
+/// What a producer says goes before what its consumers ask for. Each component spreads what it
+/// learns at once: two of its ports that disagree would both be settled otherwise, and no wire
+/// would show it.
 bool Wiring::spread_signatures() {
-  bool changed = false;
-  const auto settle = [&](Port& port, const Signature& signature) {
-    if (!port.generic() || port.signature()) return;
+  const auto settle = [&](Port& port, NodeId node, const Signature& signature) {
+    if (!port.generic() || port.signature()) return false;
     port.set_signature(signature);
-    changed = true;
+    result_->components_[node]->unify();
+    return true;
   };
-  for (ResolvedWire& wire : wires_) {
-    if (const auto signature = read_signature(wire)) settle(*wire.to, *signature);
-    if (wire.to->signature() && wire.path.empty()) settle(*wire.from, *wire.to->signature());
-  }
-  if (changed)
-    for (const auto& component : result_->components_)
-      if (component) component->unify();
-  return changed;
+  bool changed = false;
+  for (ResolvedWire& wire : wires_)
+    if (const auto signature = read_signature(wire))
+      changed |= settle(*wire.to, wire.to_node, *signature);
+  if (changed) return true;
+  for (ResolvedWire& wire : wires_)
+    if (wire.to->signature() && wire.path.empty() &&
+        settle(*wire.from, wire.from_node, *wire.to->signature()))
+      return true;
+  return false;
 }
 
 bool Wiring::settle_natural() {

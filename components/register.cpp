@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "components/register.hpp"
+
+#include "components/control/delay.hpp"
+#include "components/control/product.hpp"
+#include "components/control/scale.hpp"
+#include "components/control/sum.hpp"
+#include "components/filters/difference.hpp"
+#include "components/filters/foaw.hpp"
+#include "components/fixtures/spring.hpp"
+#include "components/fixtures/wall.hpp"
+#include "components/sources/chirp.hpp"
+#include "components/sources/constant.hpp"
+#include "components/sources/sine.hpp"
+#include "components/sources/staircase.hpp"
+#include "components/sources/step.hpp"
+
+namespace trocar {
+
+void register_components(Registry& registry) {
+  registry.add<Delay>("Delay", "control", "A signal some ticks ago; breaks a loop");
+  registry.add<Product>("Product", "control", "A signal times a number that varies");
+  registry.add<Scale>("Scale", "control", "A signal times a fixed factor");
+  registry.add<Sum>("Sum", "control", "Signals added and taken off");
+
+  registry.add<Difference>("Difference", "filters", "Velocity as the backward difference");
+  registry.add<Foaw>("Foaw", "filters", "Velocity by first-order adaptive windowing");
+
+  registry.add<Spring>("Spring", "fixtures", "A spring-damper that pulls to a centre");
+  registry.add<Wall>("Wall", "fixtures", "A flat spring-damper wall that never pulls in");
+
+  registry.add<Chirp>("Chirp", "sources", "A sine whose frequency moves from one to another");
+  registry.add<Constant>("Constant", "sources", "A value that stays");
+  registry.add<Sine>("Sine", "sources", "A sine of one frequency");
+  registry.add<Staircase>("Staircase", "sources", "A load on the tool, up and down in steps");
+  registry.add<Step>("Step", "sources", "One value until a time, another from then on");
+}
+
+}  // namespace trocar
