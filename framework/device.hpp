@@ -18,6 +18,8 @@ class GatedEffort {
   std::int64_t tick() const RT_SAFE { return tick_; }
   std::int64_t deadline_ns() const RT_SAFE { return deadline_ns_; }  // not valid after it
 
+  // Written out so that the type is not trivially copyable, or std::bit_cast could make one.
+  ~GatedEffort() {}
   GatedEffort(const GatedEffort&) = delete;
   GatedEffort& operator=(const GatedEffort&) = delete;
 
@@ -65,15 +67,21 @@ struct ToolLoad {
 struct ToolLoads {
   std::array<ToolLoad, 8> load;
   int count = 0;
-  void add(const ToolLoad& one) RT_SAFE { load[static_cast<std::size_t>(count++)] = one; }
+  /// One more than fit trips: a load that nobody watches must not go unnoticed.
+  void add(const ToolLoad& one) RT_SAFE {
+    if (static_cast<std::size_t>(count) < load.size())
+      load[static_cast<std::size_t>(count++)] = one;
+    else
+      load.back() = {.what = "more tool loads than fit", .value = {}, .trip = -1.0};
+  }
 };
 
 /// What a device reports of itself beside its position.
 struct DeviceStatus {
-  bool position_valid = true;  // fresh, plausible, homed
+  bool position_valid = true;  // fresh and plausible
   const char* why = "";        // it is not
-  bool homed = true;
-  bool dead_man = true;  // pressed, in the device's own report
+  bool homed = true;           // until then the gate sends nothing, and the position may step
+  bool dead_man = true;        // pressed, in the device's own report
 };
 
 /// A component with motors. At a tick the executor steps it first (it reports its position), then

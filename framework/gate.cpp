@@ -47,7 +47,8 @@ void Gate::pass(const Tick& tick, bool effort_usable, bool hold_usable) RT_SAFE 
   if (!finite(sent)) {
     trip(FaultCause::not_finite, "gated effort", 0.0, 0.0);
     position_lost_ = true;
-    sent = {};
+    sent = rendered_before_ = {};
+    **device_.scale_ = 0.0;
   }
   **device_.effort_sent_ = sent;
   device_.write(tick, GatedEffort(sent, tick.index,
@@ -67,6 +68,7 @@ bool Gate::acknowledge() RT_SAFE {
   position_lost_ = hold_lost_ = effort_lost_ = false;
   effort_ramp_ = 0.0;
   calm_for_ = 0.0;
+  engage_requested_ = false;
   state_ = State::cold;
   return true;
 }
@@ -88,6 +90,17 @@ void Gate::watch_position() RT_SAFE {
   if (!status.position_valid || !finite(position)) {
     trip(FaultCause::position_lost, status.position_valid ? "not finite" : status.why, 0.0, 0.0);
     position_lost_ = true;
+    started_ = false;  // the next good report follows upon none
+    return;
+  }
+  homed_ = status.homed;
+  if (!homed_) {
+    if (state_ != State::cold) {
+      trip(FaultCause::position_lost, "not homed", 0.0, 0.0);
+      position_lost_ = true;
+    }
+    hold_ramp_ = 0.0;
+    started_ = false;  // homing steps the position
     return;
   }
   if (!started_) velocity_.reset(position);
@@ -162,7 +175,7 @@ void Gate::advance_state() RT_SAFE {
     case State::tripped:
       break;
     case State::cold:
-      if (!status.homed) break;
+      if (!homed_) break;
       hold_ramp_ = std::min(1.0, hold_ramp_ + period_ / hold_ramp_time);
       if (hold_ramp_ >= 1.0) state_ = State::holding;
       break;
@@ -220,7 +233,7 @@ double Gate::risen_scale(double scale) const RT_SAFE {
 Joints Gate::command() RT_SAFE {
   Joints sent{};
   double scale = 0.0;
-  if (position_lost_) {
+  if (position_lost_ || !homed_) {
     rendered_before_ = {};
     **device_.scale_ = 0.0;
     return sent;

@@ -19,7 +19,7 @@ namespace trocar {
 ///
 /// A trip latches. While the position is trusted it ends the rendering at once; hold and a capped
 /// damping stay, so that the tool does not fall on the hand. When hold itself is wrong, damping
-/// alone stays; when the position is wrong, nothing does.
+/// alone stays; when the position is wrong or the device not homed, nothing does.
 class Gate {
  public:
   enum class State { cold, holding, engaging, engaged, tripped };
@@ -68,6 +68,7 @@ class Gate {
   double effort_ramp_;
   double calm_for_ = 0.0;   // [s] that the conditions to engage hold
   double sound_for_ = 0.0;  // [s] since anything was wrong
+  bool homed_ = false;
   bool started_ = false;
   bool engage_requested_ = false;
   bool position_lost_ = false;

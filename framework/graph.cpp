@@ -38,6 +38,20 @@ std::optional<std::string> Graph::free_name(std::string_view type, std::string_v
   return full;
 }
 
+std::string Graph::rename(NodeId id, std::string_view name, std::string_view scope) {
+  if (!is_name(name))
+    return fmt::format(
+        "\"{}\" is no name: letters, digits and underscores are, starting with a "
+        "letter",
+        name);
+  std::string full = scope.empty() ? std::string(name) : fmt::format("{}.{}", scope, name);
+  if (find(full)) return fmt::format("\"{}\" is the name of something else already", full);
+  nodes_[id].name = std::move(full);
+  if (nodes_[id].component) nodes_[id].component->set_name(nodes_[id].name);
+  apply_overrides(id);
+  return "";
+}
+
 std::optional<NodeId> Graph::add(std::string_view type_name, std::string_view name,
                                  const Where& where, std::string_view scope) {
   const ComponentType* type = registry_.find(type_name);

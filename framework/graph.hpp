@@ -105,6 +105,8 @@ class Graph {
   /// Wires a fixture or a load to a site.
   void place(NodeId node, const Site& site, const Where& where);
   void set_rate(NodeId node, double rate, std::int64_t phase, const Where& where);
+  /// Another name for a node within a scope; what is wrong with it, or "".
+  std::string rename(NodeId node, std::string_view name, std::string_view scope);
   void finding(const Where& where, std::string message) {
     findings_.add(where, std::move(message));
   }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "framework/text.hpp"
@@ -27,7 +28,12 @@ struct Writer {
   }
 };
 
+bool quoted(std::string_view text) {
+  return text.size() >= 2 && text.front() == '"' && text.find('"', 1) == text.size() - 1;
+}
+
 Literal scalar_from_text(std::string_view text) {
+  if (quoted(text)) return {std::string(text.substr(1, text.size() - 2))};
   if (text == "true") return {true};
   if (text == "false") return {false};
   double number = 0.0;
@@ -44,14 +50,16 @@ std::string Literal::text() const {
 
 Literal literal_from_text(std::string_view text) {
   text = trim(text);
+  if (quoted(text)) return scalar_from_text(text);
   const bool braced = text.starts_with('{') && text.ends_with('}');
   if (braced) text = trim(text.substr(1, text.size() - 2));
+  if (braced && text.empty()) return {Literal::List{}};
   if (text.find('=') != std::string_view::npos) {
     Literal::Table table;
     for (const std::string_view part : split(text, ',')) {
       const std::size_t equals = std::min(part.find('='), part.size());
       const std::string_view after = equals < part.size() ? part.substr(equals + 1) : "";
-      table.emplace_back(trim(part.substr(0, equals)), scalar_from_text(trim(after)));
+      table.push_back({std::string(trim(part.substr(0, equals))), scalar_from_text(trim(after))});
     }
     return {table};
   }

@@ -27,7 +27,12 @@ ParameterBase::ParameterBase(ParameterSet* owner, std::string_view name,
       live_(options.live),
       has_initial_(!options.initial.empty()) {
   shown_unit_ = options.max.empty() ? unit_ : parse_quantity(options.max).unit;
-  if (shown_unit_.dimension != unit_.dimension) shown_unit_ = unit_;
+  for (const std::string_view bound : {options.min, options.max})
+    if (!bound.empty() && parse_quantity(bound).value != 0.0 &&
+        parse_quantity(bound).unit.dimension != unit_.dimension)
+      throw std::logic_error(fmt::format("the range of {}: {} is not in {}", name, bound,
+                                         unit_.symbol.empty() ? "plain numbers" : unit_.symbol));
+  if (shown_unit_.dimension != unit_.dimension) shown_unit_ = unit_;  // a bare 0
   owner->add(this);
 }
 
@@ -44,7 +49,8 @@ void ParameterBase::take_initial(std::string_view initial) {
 }
 
 void ParameterBase::limit(double max, std::string reason) {
-  max_ = std::min(max_, max);
+  if (!(max < max_)) return;
+  max_ = max;
   limit_reason_ = std::move(reason);
 }
 
@@ -63,7 +69,20 @@ std::string ParameterBase::check_range(double value) const {
   if (std::isnan(value)) return "is not a number";
   if (!limit_reason_.empty() && value > max_)
     return fmt::format("must be at most {}: {}", format_quantity(max_, shown_unit_), limit_reason_);
-  return fmt::format("must be within {}", range_text());
+  const bool two_sided = min_ > -infinity && max_ < infinity;
+  return fmt::format("must be {}{}", two_sided ? "within " : "", range_text());
+}
+
+/// The number that was written in the right unit, where that would be accepted.
+std::string ParameterBase::example(std::string_view number) const {
+  for (const std::string_view candidate : {number, std::string_view("1")}) {
+    const std::string text = fmt::format("{} {}", candidate, shown_unit_.symbol);
+    try {
+      if (check_range(parse_quantity(text).value).empty()) return text;
+    } catch (const UnitError&) {
+    }
+  }
+  return format_quantity(min_ > -infinity ? min_ : max_, shown_unit_);
 }
 
 std::string ParameterBase::check_unit(const Quantity& quantity, const std::string& written) const {
@@ -71,10 +90,9 @@ std::string ParameterBase::check_unit(const Quantity& quantity, const std::strin
   const std::string_view number =
       trim(std::string_view(written).substr(0, written.find_first_not_of("+-.0123456789eE")));
   const std::string range = range_text();
-  const std::string symbol = shown_unit_.symbol.empty() ? unit_.symbol : shown_unit_.symbol;
-  if (unit_.dimension.dimensionless()) return fmt::format("needs a number without a unit");
-  return fmt::format("needs {}, e.g. \"{} {}\"{}", unit_.symbol, number.empty() ? "1" : number,
-                     symbol, range.empty() ? "" : " (" + range + ")");
+  if (unit_.dimension.dimensionless()) return "needs a number without a unit";
+  return fmt::format("needs {}, e.g. \"{}\"{}", unit_.symbol, example(number),
+                     range.empty() ? "" : " (" + range + ")");
 }
 
 std::string ParameterBase::read_number(const Literal& literal, double& value) const {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "framework/literal.hpp"
@@ -53,6 +54,7 @@ class ParameterBase {
   /// The same checks without taking the value.
   virtual std::string check(const Literal& literal) const = 0;
   virtual void copy_from(const ParameterBase& other) = 0;
+  /// The value and whether it was set, for restore().
   virtual std::any save() const = 0;
   virtual void restore(const std::any& value) = 0;
   /// The value as a script would write it.
@@ -77,6 +79,7 @@ class ParameterBase {
   void take_initial(std::string_view initial);
   std::string check_range(double value) const;
   std::string check_unit(const Quantity& quantity, const std::string& written) const;
+  std::string example(std::string_view number) const;
 
  private:
   std::string name_;
@@ -89,7 +92,9 @@ class ParameterBase {
   std::vector<std::string> choices_;
   bool live_;
   bool has_initial_;
-  bool assigned_ = false;
+
+ protected:
+  bool assigned_ = false;  // by set(), beside any initial value
 };
 
 /// A parameter of type double, int64, bool, string, Choice, Vector3, Rotation, Joints, Quantity
@@ -111,14 +116,21 @@ class Parameter final : public ParameterBase {
   void copy_from(const ParameterBase& other) override {
     value_ = static_cast<const Parameter&>(other).value_;
   }
-  std::any save() const override { return value_; }
-  void restore(const std::any& value) override { value_ = std::any_cast<T>(value); }
+  std::any save() const override { return std::pair(value_, assigned_); }
+  void restore(const std::any& saved) override {
+    std::tie(value_, assigned_) = std::any_cast<std::pair<T, bool>>(saved);
+  }
   std::string text() const override;
   std::string type_name() const override;
   std::span<double> numbers() RT_SAFE override;
 
  private:
-  std::string take(const Literal& literal) override { return read(literal, value_); }
+  std::string take(const Literal& literal) override {
+    T value = value_;
+    std::string wrong = read(literal, value);
+    if (wrong.empty()) value_ = value;
+    return wrong;
+  }
   std::string read(const Literal& literal, T& value) const;
   T value_{};
 };

@@ -24,7 +24,13 @@ std::optional<Signature> declared(const TypeInfo* type, const PortOptions& optio
   if (type == nullptr) return std::nullopt;
   Signature signature{type, options.axes, units_of(*type, options.unit),
                       std::string(options.frame)};
-  if (type->per_axis == 1) signature.axes = static_cast<int>(signature.units.size());
+  const std::size_t units = signature.units.size();
+  if (type->per_axis == 1) signature.axes = static_cast<int>(units);
+  const bool fits =
+      type->per_axis == 1 ? units >= 1 && units <= max_axes : units == type->units.size();
+  if (!fits || (type->per_axis == 6 && (options.axes < 1 || options.axes > max_axes)))
+    throw std::logic_error(fmt::format("a port of type {} cannot have the unit \"{}\" and {} axes",
+                                       type->name, options.unit, signature.axes));
   return signature;
 }
 

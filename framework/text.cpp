@@ -22,7 +22,8 @@ std::size_t edits(std::string_view a, std::string_view b) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const std::size_t cost = lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1;
       d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + cost});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+      if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+          lower(a[i - 2]) == lower(b[j - 1]))
         d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   return d[a.size()][b.size()];
@@ -72,7 +73,9 @@ bool is_name(std::string_view text) {
 
 std::string nearest(std::string_view text, const std::vector<std::string>& candidates) {
   std::string best;
-  std::size_t fewest = std::max<std::size_t>(2, text.size() / 3) + 1;
+  // Two edits make anything of a word of three letters.
+  const std::size_t most = std::min(std::max<std::size_t>(2, text.size() / 3), text.size() / 2);
+  std::size_t fewest = most + 1;
   for (const std::string& candidate : candidates) {
     const std::size_t n = edits(text, candidate);
     if (n < fewest) {

@@ -91,7 +91,9 @@ class UnitParser {
   Unit expression() {
     Unit product;
     bool divided = false;
+    if (++depth_ > 8) refuse("parentheses are nested too deep");
     skip_spaces();
+    if (rest_.starts_with('*') || rest_.starts_with("·")) refuse("a unit is missing");
     while (!rest_.empty() && rest_.front() != ')') {
       const bool divide = take_separator();
       if (!divide && divided)
@@ -100,9 +102,13 @@ class UnitParser {
       product.scale = divide ? product.scale / factor.scale : product.scale * factor.scale;
       product.dimension =
           divide ? product.dimension / factor.dimension : product.dimension * factor.dimension;
+      for (const std::int8_t exponent : product.dimension.exponent)
+        if (std::abs(exponent) > 12) refuse("a power beyond 12 is no unit of anything");
+      if (!(product.scale >= 1e-100 && product.scale <= 1e100)) refuse("too large or too small");
       divided = divided || divide;
       skip_spaces();
     }
+    --depth_;
     return product;
   }
 
@@ -162,11 +168,12 @@ class UnitParser {
       rest_.remove_prefix(std::string_view("²").size());
       return 2;
     }
-    if (rest_.starts_with('^')) rest_.remove_prefix(1);
+    const bool caret = rest_.starts_with('^');
+    if (caret) rest_.remove_prefix(1);
     int exponent = 1;
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), exponent);
-    if (error != std::errc{}) return 1;
-    if (exponent == 0 || std::abs(exponent) > 4)
+    if (error == std::errc::invalid_argument && !caret) return 1;
+    if (error != std::errc{} || exponent == 0 || std::abs(exponent) > 4)
       refuse("an exponent must be within -4 to 4, not 0");
     rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
     return exponent;
@@ -182,6 +189,7 @@ class UnitParser {
 
   std::string_view whole_;
   std::string_view rest_;
+  int depth_ = 0;
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -209,10 +217,12 @@ Unit parse_unit(std::string_view text) {
 
 Quantity parse_quantity(std::string_view text) {
   std::string_view rest = trimmed(text);
-  if (rest.starts_with('+')) rest.remove_prefix(1);
+  if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
   double number = 0.0;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-  if (error != std::errc{})
+  if (error == std::errc::result_out_of_range)
+    throw UnitError(fmt::format("\"{}\": the number is too large or too small", text));
+  if (error != std::errc{} || std::isnan(number))
     throw UnitError(fmt::format("\"{}\" is no quantity, a number and a unit are needed", text));
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   try {
@@ -227,7 +237,7 @@ Quantity parse_quantity(std::string_view text) {
 }
 
 std::string format_quantity(double si_value, const Unit& unit) {
-  const std::string number = fmt::format("{:.12g}", si_value / unit.scale);
+  const std::string number = fmt::format("{:.12g}", si_value / unit.scale + 0.0);  // no "-0"
   return unit.symbol.empty() ? number : number + " " + unit.symbol;
 }
 

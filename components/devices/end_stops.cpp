@@ -2,6 +2,8 @@
 #include "components/devices/end_stops.hpp"
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "components/kinematics/three_phases.hpp"
 
@@ -33,6 +35,11 @@ EndStops::EndStops(const EndStopSettings& settings, const LaparoscopeLimits& lim
       limits_(limits),
       least_link_height_(geometry.link_length * std::cos(limits.link_angle)) {
   validate(limits, geometry);
+  for (const double value :
+       {settings.stiffness, settings.damping, settings.angular_stiffness, settings.angular_damping})
+    if (!(value >= 0.0 && std::isfinite(value)))
+      throw std::invalid_argument("end stops: " + std::to_string(value) +
+                                  ": stiffness and damping need finite values of at least 0");
 }
 
 EndStops::Reaction EndStops::reaction(const LaparoscopeConfiguration& c, const LaparoscopeRates& r,

@@ -28,6 +28,7 @@ class EndStops {
     bool any = false;
   };
 
+  /// @throw std::invalid_argument when a setting or a limit is out of its range.
   EndStops(const EndStopSettings& settings, const LaparoscopeLimits& limits,
            const LaparoscopeGeometry& geometry);
 

@@ -116,7 +116,7 @@ void SimulatedLaparoscope::move(std::int64_t duration_ns) RT_SAFE {
 bool SimulatedLaparoscope::brake_lets_go() RT_SAFE {
   const Vector6d missing = (plant_->sent_effort() - weight_).cwiseAbs();
   for (int i = 0; i < 6; ++i)
-    if (!(missing[i] <= 0.03 * std::abs(weight_[i]) + (i < 3 ? 0.05 : 2e-3))) return false;
+    if (!(missing[i] <= 0.01 * std::abs(weight_[i]) + (i < 3 ? 0.02 : 2e-3))) return false;
   braked_ = false;
   return true;
 }

@@ -23,14 +23,15 @@ namespace trocar {
 ///
 /// `effort_applied` changes as the command is taken: in a tick others read what acted until t_k,
 /// a row holds what acts from t_k on, which is `effort_sent` of `delay` ticks before. Loads act on
-/// the tool itself, one period after they were computed, and never through motors or gate.
+/// the tool itself, from the tick in which they are computed to the next, and never through motors
+/// or gate.
 ///
 /// Skipped slots pass for the plant as for everybody, up to 1 s at a time.
 ///
 /// start = engaged: at rest, homed, dead-man pressed, held by the firmware's own gravity model
 /// until commands arrive. start = cold: a parking brake locks the axes, and time stands still for
-/// plant and hand, until the command holds the weight by the firmware's model within 3 % and
-/// 0.05 N or 2 mN m on every axis; without `hold` it stays locked.
+/// plant and hand, until the command holds the weight by the firmware's model within 1 % and
+/// 0.02 N or 2 mN m on every axis; without `hold` it stays locked.
 class SimulatedLaparoscope final : public Device {
  public:
   SimulatedLaparoscope();
@@ -96,7 +97,7 @@ class SimulatedLaparoscope final : public Device {
                                      "handle_force_cap",
                                      {.unit = "N",
                                       .initial = "20 N",
-                                      .min = "0 N",
+                                      .min = "1 N",
                                       .max = "100 N",
                                       .doc = "of what is rendered; twice it trips",
                                       .live = true}};
@@ -104,7 +105,7 @@ class SimulatedLaparoscope final : public Device {
                                       "handle_moment_cap",
                                       {.unit = "N m",
                                        .initial = "1 N m",
-                                       .min = "0 N m",
+                                       .min = "0.05 N m",
                                        .max = "5 N m",
                                        .doc = "of what is rendered; twice it trips",
                                        .live = true}};

@@ -145,7 +145,13 @@ void McapReader::scan() {
   while (true) {
     const Record record = record_at(data_end_, size);
     if (record.op == Op::data_end || is_last(record)) return;
-    scan_record(record);
+    const mcap::Statistics whole = statistics_;
+    try {
+      scan_record(record);
+    } catch (const McapError&) {
+      statistics_ = whole;  // messages() will not deliver a part of a record
+      throw;
+    }
     data_end_ = record.end();
   }
 }

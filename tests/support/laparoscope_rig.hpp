@@ -8,30 +8,10 @@
 
 #include "components/devices/simulated_laparoscope.hpp"
 #include "components/kinematics/laparoscope_kinematics.hpp"
-#include "components/register_laparoscope.hpp"
-#include "framework/axis_velocity.hpp"
+#include "components/register.hpp"
 #include "framework/executor.hpp"
 
 namespace trocar::test {
-
-/// Velocity of the axes by the slope over five reports.
-class SlopeVelocity final : public Component {
- public:
-  void configure(const Setup& setup) override { slope_ = AxisVelocity(setup.period); }
-  void start() override { started_ = false; }
-  void step(const Tick&) RT_SAFE override {
-    if (!started_) slope_.reset(*position);
-    started_ = true;
-    slope_.update(*position);
-    *velocity = slope_.value();
-  }
-  Input<Joints> position{this, "position", {.unit = laparoscope_position_units}};
-  Output<Joints> velocity{this, "velocity", {.unit = laparoscope_velocity_units}};
-
- private:
-  AxisVelocity slope_{1e-3};
-  bool started_ = false;
-};
 
 /// Pushes back along -z beyond a height, and gives NaN from a tick on.
 class TestFixture final : public Component {
@@ -61,14 +41,13 @@ class TestLoad final : public Component {
   Parameter<Vector3> pull{this, "pull", {.unit = "N", .initial = "0, 0, 0"}};
 };
 
-using Settings = std::vector<std::pair<const char*, std::string>>;
+using Settings = std::vector<std::pair<std::string, std::string>>;
 
 /// The group Laparoscope, wired and run tick by tick.
 class LaparoscopeRig {
  public:
   explicit LaparoscopeRig(const Settings& settings = {}, double rate = 1000.0) : rate_(rate) {
-    register_laparoscope(registry);
-    registry.add<SlopeVelocity>("Foaw", "test", "stands in for the estimator of the group");
+    register_components(registry);
     registry.add<TestFixture>("TestFixture", "test", "a force at a site");
     registry.add<TestLoad>("TestLoad", "test", "a load at a site");
     for (const auto& [key, value] : settings)
@@ -85,7 +64,7 @@ class LaparoscopeRig {
   }
 
   /// Wires and starts.
-  void start() {
+  void start(std::vector<Command> schedule = {}) {
     graph.report_unused_overrides();
     try {
       wired = wire(graph, {.rate = rate_, .seed = 7});
@@ -94,7 +73,8 @@ class LaparoscopeRig {
     }
     device = static_cast<SimulatedLaparoscope*>(wired->find("laparoscope.device"));
     tool = static_cast<LaparoscopeKinematics*>(wired->find("laparoscope.tool"));
-    executor = std::make_unique<Executor>(*wired, ExecutorOptions{.timing = false});
+    executor = std::make_unique<Executor>(
+        *wired, ExecutorOptions{.timing = false, .schedule = std::move(schedule)});
     executor->start();
   }
   void tick() { executor->tick({next_++, 0, 0}, true); }

@@ -52,6 +52,7 @@ inline QByteArray read_bytes(const std::string& path) {
 
 inline void write_bytes(const std::string& path, const QByteArray& bytes) {
   QFile file(QString::fromStdString(path));
+  file.remove();  // some file systems wait for the disk when a file is emptied instead
   if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
     qFatal("cannot write %s", path.c_str());
 }

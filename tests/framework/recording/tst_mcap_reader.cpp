@@ -225,6 +225,8 @@ class TestMcapReader : public QObject {
         << "compressed with 'zstd'";
     QTest::newRow("a string longer than its record")
         << record_of(0x03, 6, QByteArray::fromHex("0100ffffffff")) << "4294967295 bytes should";
+    QTest::newRow("a string longer by one byte")
+        << record_of(0x03, 6, QByteArray::fromHex("010001000000")) << "1 bytes should follow, 0";
     QTest::newRow("a schema with id 0") << record_of(0x03, 2, QByteArray(2, '\0')) << "the id 0";
     QTest::newRow("a channel of an unknown schema")
         << record_of(0x04, 16, QByteArray::fromHex("00000500") + QByteArray(12, '\0'))
@@ -275,6 +277,22 @@ class TestMcapReader : public QObject {
     QCOMPARE(read, fits);
   }
 
+  void a_scan_keeps_the_limit_of_the_listing() {
+    write_bytes(path("scan.mcap"), log_.first(log_.size() - 1));
+    const McapReader reader(path("scan.mcap"), {.record = 4096, .listing = 300});
+    QVERIFY2(QString::fromStdString(reader.problem()).contains("take more than the limit of 300"),
+             reader.problem().c_str());
+  }
+
+  void a_damaged_attachment_is_not_read() {
+    QByteArray bytes = log_;
+    bytes[bytes.indexOf("trocar.Wall")] = 'x';
+    write_bytes(path("attached.mcap"), bytes);
+    const McapReader reader(path("attached.mcap"));
+    QVERIFY(reader.complete());
+    QVERIFY_THROWS_EXCEPTION(McapError, reader.read(reader.attachments()[0]));
+  }
+
   void a_file_without_summary_is_scanned_and_complete() {
     const auto records = raw_records(log_);
     QByteArray bytes = log_.first(8);
@@ -289,6 +307,21 @@ class TestMcapReader : public QObject {
     QVERIFY(contents.complete);
     QCOMPARE(contents.messages, 6);
     QCOMPARE(McapReader(path("plain.mcap")).end_time_ns(), quint64(1260 * ms));
+  }
+
+  void a_chunk_damaged_inside_counts_no_message() {
+    const qsizetype at = raw_records(log_)[1].offset;
+    const QByteArray channel = record_of(0x04, 16, QByteArray(16, '\0'));
+    const QByteArray inside = record_of(0x05, 22, QByteArray(22, '\0')) + record_of(0x05, 99, {});
+    QByteArray size(8, '\0');
+    size[0] = static_cast<char>(inside.size());
+    const QByteArray chunk = QByteArray(16, '\0') + size + QByteArray(8, '\0') + size + inside;
+    write_bytes(
+        path("inside.mcap"),
+        log_.first(at) + channel + record_of(0x06, static_cast<quint64>(chunk.size()), chunk));
+    const Contents contents = read_all(path("inside.mcap"));
+    QVERIFY(!contents.complete);
+    QCOMPARE(contents.messages, 0);
   }
 
   void what_is_no_log_is_refused_data() {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/recording/row_sink.hpp"
+
+namespace trocar {
+
+/// A vector that people want to hear of after a run: a force at a site, or where the site was.
+struct Highlight {
+  std::string name;  // "wall.force", "laparoscope.tool.tip.position"
+  std::string unit;  // SI
+  bool is_force = false;
+  std::size_t row_offset = 0;
+  double peak = 0.0;       // largest norm
+  double peak_time = 0.0;  // [s]
+  Vector3 at_peak{};
+  Vector3 last{};
+};
+
+/// What a run looked like from the hand: peaks and ends of the forces at sites, and about a dozen
+/// moments spread over the run.
+class Highlights final : public RowSink {
+ public:
+  struct Moment {
+    double time = 0.0;  // [s]
+    std::vector<Vector3> values{};
+  };
+
+  void begin(const RowLayout& layout, const WiredGraph& graph) override;
+  void row(std::span<const std::byte> row) override;
+
+  const std::vector<Highlight>& all() const { return all_; }
+  /// Evenly spaced, the last row being the last of them.
+  std::vector<Moment> moments() const;
+
+ private:
+  static constexpr std::size_t most_moments = 24;
+  void add(const RowLayout& layout, const OutputPort& output, std::size_t offset, bool is_force);
+
+  std::vector<Highlight> all_;
+  std::vector<Moment> moments_;
+  Moment latest_;
+  std::size_t stride_ = 1;
+  std::size_t count_ = 0;
+};
+
+}  // namespace trocar

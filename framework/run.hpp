@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/executor.hpp"
+#include "framework/recording/row_sink.hpp"
+#include "framework/recording/row_store.hpp"
+
+namespace trocar {
+
+enum class ClockKind { realtime, simulated };
+
+/// A change of a parameter while the graph runs.
+struct Edit {
+  double at = 0.0;  // [s]
+  std::string key;  // "wall.stiffness"
+  Literal value;
+  Where where;
+};
+
+struct RunOptions {
+  ClockKind clock = ClockKind::realtime;
+  std::optional<double> duration{};  // [s]; without one it runs until stopped
+  WiringOptions wiring{};
+  std::vector<Edit> edits{};
+  bool engage = true;      // ask to render as soon as it is safe
+  bool keep_rows = false;  // for an experiment to compute with
+  std::vector<RowSink*> sinks{};
+  const StopFlag* stop = nullptr;
+};
+
+/// A fault with its texts, which outlive the graph.
+struct FaultRecord {
+  std::string cause;
+  std::string component;
+  std::string detail;
+  double value = 0.0;
+  double limit = 0.0;
+  std::int64_t tick = 0;
+  double time = 0.0;  // [s]
+
+  std::string text() const;
+};
+
+struct ComponentTiming {
+  std::string name;
+  TimingHistogram time;
+};
+
+/// What a run came to.
+struct RunResult {
+  ClockKind clock = ClockKind::realtime;
+  double rate = 0.0;       // [Hz]
+  double duration = 0.0;   // [s] of its own time
+  double wall_time = 0.0;  // [s]
+  bool interrupted = false;
+  LoopStatistics loop{};
+  std::vector<ComponentTiming> components{};
+  std::vector<FaultRecord> faults{};
+  std::vector<std::string> shortcomings{};  // of the machine, for real time
+  std::vector<std::string> lost{};          // readers of rows that gave up, and why
+  std::shared_ptr<RowStore> rows{};
+};
+
+/// Wires the graph and runs it once.
+/// @throw BrokenGraph with every finding
+RunResult run(const Graph& graph, const RunOptions& options);
+
+}  // namespace trocar

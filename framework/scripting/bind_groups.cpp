@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/scripting/script_context.hpp"
+#include "framework/text.hpp"
+
+namespace trocar::lua {
+namespace {
+
+/// The parameters that a script declares for its group.
+class DeclaredParameters final : public ParameterSet {
+ public:
+  template <typename T>
+  void declare(const std::string& name, const ParameterOptions& options) {
+    own_.push_back(std::make_unique<Parameter<T>>(this, name, options));
+  }
+
+ private:
+  std::vector<std::unique_ptr<ParameterBase>> own_;
+};
+
+bool is_quantity(const std::string& text) {
+  try {
+    parse_quantity(text);
+    return true;
+  } catch (const UnitError&) {
+    return false;
+  }
+}
+
+std::string string_field(lua_State* state, const char* name) {
+  lua_getfield(state, -1, name);
+  const std::string text =
+      lua_isnil(state, -1) ? "" : std::string(luaL_tolstring(state, -1, nullptr));
+  lua_settop(state, lua_gettop(state) - (lua_isnil(state, -1) ? 1 : 2));
+  return text;
+}
+
+/// One entry `name = { default, range = {min, max}, doc = "…" }`, at the top of the stack. The type
+/// is the default's.
+void declare(lua_State* state, DeclaredParameters& parameters, const std::string& name) {
+  const std::string doc = string_field(state, "doc");
+  std::string min, max;
+  lua_getfield(state, -1, "range");
+  if (const Literal range = to_literal(state, -1); const auto* list = range.as<Literal::List>()) {
+    const auto text = [&](std::size_t i) {
+      if (i >= list->size()) return std::string();
+      const auto* written = (*list)[i].as<std::string>();
+      return written != nullptr ? *written : (*list)[i].text();
+    };
+    min = text(0);
+    max = text(1);
+  }
+  lua_pop(state, 1);
+  lua_rawgeti(state, -1, 1);
+  const Literal initial = to_literal(state, -1);
+  lua_pop(state, 1);
+  const auto* text = initial.as<std::string>();
+  std::string written = text != nullptr ? *text : initial.text();
+  if (initial.as<double>() != nullptr || (text != nullptr && is_quantity(written))) {
+    const std::string unit = si_symbol(parse_quantity(written).unit.dimension);
+    parameters.declare<double>(
+        name, {.unit = unit, .initial = written, .min = min, .max = max, .doc = doc, .live = true});
+  } else if (initial.as<bool>() != nullptr) {
+    parameters.declare<bool>(name, {.initial = written, .doc = doc});
+  } else if (text != nullptr) {
+    parameters.declare<std::string>(name, {.initial = written, .doc = doc});
+  } else {
+    parameters.declare<Literal>(name, {.doc = doc});
+    if (initial.as<std::monostate>() == nullptr) parameters.parameters().back()->set(initial);
+  }
+}
+
+std::unique_ptr<DeclaredParameters> declare_all(lua_State* state, int definition) {
+  auto parameters = std::make_unique<DeclaredParameters>();
+  lua_getfield(state, definition, "parameters");
+  if (lua_istable(state, -1)) {
+    const int table = lua_gettop(state);
+    for (const Key& key : ordered_keys(state, table)) {
+      push_value(state, table, key);
+      if (lua_istable(state, -1) && is_name(key.text))
+        declare(state, *parameters, key.text);
+      else
+        context(state).graph().finding(
+            where(state), fmt::format("group parameter \"{}\": needs {{ default, range = {{…}} }}",
+                                      key.number > 0 ? std::to_string(key.number) : key.text));
+      lua_pop(state, 1);
+    }
+  }
+  lua_pop(state, 1);
+  return parameters;
+}
+
+/// Pushes the table that `build` gets as its first argument: references to the parameters.
+void push_parameters(lua_State* state, NodeId group) {
+  lua_newtable(state);
+  for (const std::string& name : context(state).graph().node(group).settings().parameter_names()) {
+    push(state, ParameterRef{group, name});
+    lua_setfield(state, -2, name.c_str());
+  }
+}
+
+/// Pushes the table of inputs: what the instance was given for each declared name.
+void push_inputs(lua_State* state, int definition, int arguments, const std::string& name) {
+  lua_newtable(state);
+  lua_getfield(state, definition, "inputs");
+  if (lua_istable(state, -1)) {
+    const int declared = lua_gettop(state);
+    for (const Key& key : ordered_keys(state, declared)) {
+      push_value(state, declared, key);
+      const std::string input = key.number > 0 ? luaL_checkstring(state, -1) : key.text;
+      lua_pop(state, 1);
+      lua_getfield(state, arguments, input.c_str());
+      if (lua_isnil(state, -1)) {
+        lua_pop(state, 1);
+        push_placeholder(state, name + "." + input,
+                         fmt::format("{} needs its input \"{}\"", name, input));
+      }
+      lua_setfield(state, declared - 1, input.c_str());
+    }
+  }
+  lua_pop(state, 1);
+}
+
+/// What `build` returned, at the top of the stack, becomes the group's members.
+void export_members(lua_State* state, NodeId group) {
+  Graph& graph = context(state).graph();
+  if (!lua_istable(state, -1)) return;
+  const int table = lua_gettop(state);
+  for (const Key& key : ordered_keys(state, table)) {
+    push_value(state, table, key);
+    Exports& exports = graph.node(group).exports;
+    if (const auto* output = get<OutputRef>(state, -1))
+      exports.outputs[key.text] = *output;
+    else if (const auto* input = get<InputRef>(state, -1))
+      exports.inputs[key.text] = *input;
+    else if (const auto* site = get<SiteRef>(state, -1))
+      exports.sites[key.text] = site->site;
+    else if (const auto* node = get<NodeRef>(state, -1))
+      exports.parts[key.text] = node->node;
+    else if (get<Placeholder>(state, -1) == nullptr)
+      graph.finding(where(state),
+                    fmt::format("{}: build returned \"{}\", which is no output, input, "
+                                "site or component",
+                                graph.node(group).name, key.text));
+    lua_pop(state, 1);
+  }
+}
+
+void check_entries(lua_State* state, NodeId group, int definition, int arguments) {
+  Graph& graph = context(state).graph();
+  const Graph::Node& node = graph.node(group);
+  std::vector<std::string> known = node.settings().parameter_names();
+  known.emplace_back("name");
+  lua_getfield(state, definition, "inputs");
+  if (lua_istable(state, -1)) {
+    const int declared = lua_gettop(state);
+    for (const Key& key : ordered_keys(state, declared)) {
+      push_value(state, declared, key);
+      known.push_back(key.number > 0 ? luaL_checkstring(state, -1) : key.text);
+      lua_pop(state, 1);
+    }
+  }
+  lua_pop(state, 1);
+  for (const Key& key : ordered_keys(state, arguments)) {
+    if (std::find(known.begin(), known.end(), key.text) == known.end())
+      graph.finding(where(state), fmt::format("{} has no input or parameter \"{}\"{}", node.name,
+                                              key.text, suggestion(key.text, known)));
+    else if (node.settings().find_parameter(key.text) != nullptr) {
+      push_value(state, arguments, key);
+      apply_entry(state, group, key.text);
+      lua_pop(state, 1);
+    }
+  }
+}
+
+/// The constructor that trocar.group returned; its definition is an upvalue.
+int construct_group(lua_State* state) {
+  ScriptContext& script = context(state);
+  if (lua_isnoneornil(state, 1)) lua_newtable(state);
+  luaL_checktype(state, 1, LUA_TTABLE);
+  lua_settop(state, 1);
+  lua_pushvalue(state, lua_upvalueindex(1));
+  const int definition = 2;
+  lua_getfield(state, definition, "name");
+  const std::string type = lua_isstring(state, -1) ? lua_tostring(state, -1) : "Group";
+  lua_getfield(state, 1, "name");
+  const std::string name = lua_isstring(state, -1) ? lua_tostring(state, -1) : "";
+  lua_pop(state, 2);
+  const auto group = script.graph().add_group(declare_all(state, definition), type, name,
+                                              where(state), script.scope());
+  if (!group) {
+    push(state, Placeholder{type});
+    return 1;
+  }
+  check_entries(state, *group, definition, 1);
+  const std::string full = script.graph().node(*group).name;
+  lua_getfield(state, definition, "build");
+  push_parameters(state, *group);
+  push_inputs(state, definition, 1, full);
+  script.scopes.push_back(full);
+  const std::size_t first_part = script.graph().size();
+  const int status = lua_pcall(state, 2, 1, 0);
+  script.scopes.pop_back();
+  if (status != LUA_OK) return lua_error(state);
+  for (NodeId id = first_part; id < script.graph().size(); ++id) {
+    const std::string part = script.graph().node(id).name.substr(full.size() + 1);
+    if (part.find('.') == std::string::npos) script.graph().node(*group).exports.parts[part] = id;
+  }
+  export_members(state, *group);
+  push(state, NodeRef{*group});
+  return 1;
+}
+
+int make_group(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  lua_settop(state, 1);
+  static const std::vector<std::string> known = {"name", "parameters", "inputs", "outputs",
+                                                 "build"};
+  for (const Key& key : ordered_keys(state, 1))
+    if (std::find(known.begin(), known.end(), key.text) == known.end())
+      context(state).graph().finding(
+          where(state),
+          fmt::format("trocar.group has no \"{}\"{}", key.text, suggestion(key.text, known)));
+  lua_getfield(state, 1, "build");
+  if (!lua_isfunction(state, -1))
+    return push_placeholder(state, "group",
+                            "trocar.group needs build = function(parameters, inputs) … end");
+  lua_pop(state, 1);
+  lua_pushcclosure(state, guarded<construct_group>, 1);
+  return 1;
+}
+
+}  // namespace
+
+void open_groups(lua_State* state) {
+  lua_pushcfunction(state, guarded<make_group>);
+  lua_setfield(state, -2, "group");
+}
+
+}  // namespace trocar::lua

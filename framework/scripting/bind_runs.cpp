@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/scripting/script_context.hpp"
+#include "framework/signal_math.hpp"
+#include "framework/text.hpp"
+
+namespace trocar::lua {
+namespace {
+
+/// What trocar.check stops with; no user sees it.
+constexpr const char* stop_here = "trocar: the script stops at its first run";
+
+double quantity(const Literal& literal, const char* unit, const std::string& what) {
+  const Dimension wanted = parse_unit(unit).dimension;
+  if (const auto* text = literal.as<std::string>()) {
+    const Quantity read = parse_quantity(*text);
+    if (read.unit.dimension == wanted) return read.value;
+  }
+  throw std::invalid_argument(
+      fmt::format("{} = {}: needs {}, e.g. \"1 {}\"", what, literal.text(), unit, unit));
+}
+
+// --- trocar.run -------------------------------------------------------------------------------
+
+const Literal::Table& table_of(const Literal& literal, const std::string& what) {
+  static const Literal::Table empty;
+  if (const auto* table = literal.as<Literal::Table>()) return *table;
+  if (const auto* list = literal.as<Literal::List>(); list != nullptr && list->empty())
+    return empty;
+  throw std::invalid_argument(
+      fmt::format("{} = {}: needs a table, e.g. {{ [\"wall.stiffness\"] = \"3 N/mm\" }}", what,
+                  literal.text()));
+}
+
+void read_edits(const Literal& literal, const Where& at, RunOptions& options) {
+  const auto* list = literal.as<Literal::List>();
+  if (list == nullptr)
+    throw std::invalid_argument(
+        "edits: needs a list, e.g. { { at = \"1 s\", [\"wall.stiffness\"] = \"3 N/mm\" } }");
+  for (const Literal& one : *list) {
+    double time = std::nan("");
+    for (const auto& [key, value] : table_of(one, "edits"))
+      if (key == "at") time = quantity(value, "s", "edits.at");
+    if (!(time >= 0.0)) throw std::invalid_argument("edits: each needs at = \"1 s\" or the like");
+    for (const auto& [key, value] : table_of(one, "edits"))
+      if (key != "at") options.edits.push_back({time, key, value, at});
+  }
+}
+
+RunOptions read_run_options(const Literal& literal, const Where& at) {
+  RunOptions options{.keep_rows = true};
+  options.duration = 1.0;
+  for (const auto& [key, value] : table_of(literal, "trocar.run")) {
+    if (key == "rate") {
+      options.wiring.rate = quantity(value, "Hz", key);
+    } else if (key == "duration") {
+      options.duration = quantity(value, "s", key);
+    } else if (key == "seed") {
+      const auto* seed = value.as<double>();
+      if (seed == nullptr || *seed < 0.0 || std::floor(*seed) != *seed)
+        throw std::invalid_argument(fmt::format("seed = {}: needs a whole number", value.text()));
+      options.wiring.seed = static_cast<std::uint64_t>(*seed);
+    } else if (key == "set") {
+      for (const auto& [name, setting] : table_of(value, key))
+        options.wiring.set.insert_or_assign(name, Graph::Override{setting, at});
+    } else if (key == "edits") {
+      read_edits(value, at, options);
+    } else {
+      throw std::invalid_argument(
+          fmt::format("trocar.run has no \"{}\"{}", key,
+                      suggestion(key, {"rate", "duration", "seed", "set", "edits"})));
+    }
+  }
+  return options;
+}
+
+int run_graph(lua_State* state) {
+  ScriptContext& script = context(state);
+  if (script.session.options().check_only) {
+    script.ran = true;
+    return luaL_error(state, "%s", stop_here);
+  }
+  luaL_checktype(state, 1, LUA_TTABLE);
+  const Where at = where(state);
+  RunOptions options = read_run_options(to_literal(state, 1), at);
+  if (!script.ran) script.graph().report_unused_overrides();
+  script.ran = true;
+  try {
+    push(state, RunRef{&script.session.run(std::move(options))});
+  } catch (const BrokenGraph& broken) {
+    script.broken = broken.findings;
+    throw;
+  }
+  return 1;
+}
+
+int publish(lua_State* state) {
+  const std::string name = luaL_checkstring(state, 1);
+  luaL_checktype(state, 2, LUA_TTABLE);
+  if (!is_name(name))
+    throw std::invalid_argument(
+        fmt::format("publish(\"{}\"): needs a name of letters, digits and "
+                    "underscores",
+                    name));
+  context(state).session.publish(name, to_literal(state, 2));
+  return 0;
+}
+
+// --- results ----------------------------------------------------------------------------------
+
+const RowStore& rows_of(lua_State* state) {
+  return *get<RunRef>(state, 1)->run->result.rows;
+}
+
+/// A signal's name, from an output or a string.
+std::string signal_at(lua_State* state, int index) {
+  if (const auto* output = get<OutputRef>(state, index))
+    return signal_name(context(state).graph(), *output);
+  if (lua_type(state, index) == LUA_TSTRING) return lua_tostring(state, index);
+  throw std::invalid_argument(
+      fmt::format("a signal is needed, e.g. wall.force.z or \"wall.force.z\","
+                  " not {}",
+                  luaL_tolstring(state, index, nullptr)));
+}
+
+/// The numbers of a signal: one column for a scalar, several for a vector or a pose.
+std::vector<std::vector<double>> columns(const RowStore& rows, const std::string& name) {
+  std::vector<std::vector<double>> result;
+  std::vector<std::string> known;
+  for (const RowSignal& signal : rows.signals()) {
+    known.push_back(signal.name);
+    if (signal.name == name || signal.name.starts_with(name + "."))
+      result.push_back(rows.column(signal));
+  }
+  if (result.empty())
+    throw std::invalid_argument(
+        fmt::format("the run has no signal \"{}\"{}", name,
+                    nearest(name, known).empty() ? "" : suggestion(name, known)));
+  return result;
+}
+
+std::vector<double> scalar(const RowStore& rows, const std::string& name) {
+  auto all = columns(rows, name);
+  if (all.size() != 1)
+    throw std::invalid_argument(fmt::format(
+        "\"{}\" has {} numbers: name one of them, e.g. \"{}.x\"", name, all.size(), name));
+  return std::move(all.front());
+}
+
+double time_field(lua_State* state, const char* name, double fallback) {
+  lua_getfield(state, 2, name);
+  const Literal literal = to_literal(state, -1);
+  lua_pop(state, 1);
+  return literal.as<std::monostate>() ? fallback : quantity(literal, "s", name);
+}
+
+void push_fields(lua_State* state, std::initializer_list<std::pair<const char*, double>> fields) {
+  lua_newtable(state);
+  for (const auto& [name, value] : fields) {
+    lua_pushnumber(state, value);
+    lua_setfield(state, -2, name);
+  }
+}
+
+/// run:fit { x = …, y = …, where = bool signal, from = "1 s", to = "2 s" }
+int fit(lua_State* state) {
+  luaL_checktype(state, 2, LUA_TTABLE);
+  const RowStore& rows = rows_of(state);
+  const auto field = [&](const char* name) {
+    lua_getfield(state, 2, name);
+    if (lua_isnil(state, -1))
+      throw std::invalid_argument(fmt::format("run:fit needs {} = a signal", name));
+    std::vector<double> values = scalar(rows, signal_at(state, -1));
+    lua_pop(state, 1);
+    return values;
+  };
+  const std::vector<double> x = field("x");
+  const std::vector<double> y = field("y");
+  lua_getfield(state, 2, "where");
+  const std::vector<double> chosen = lua_isnil(state, -1) ? std::vector<double>(x.size(), 1.0)
+                                                          : scalar(rows, signal_at(state, -1));
+  lua_pop(state, 1);
+  const std::vector<double> time = rows.time();
+  const double from = time_field(state, "from", -INFINITY);
+  const double to = time_field(state, "to", INFINITY);
+  std::vector<double> px, py;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (chosen[i] == 0.0 || time[i] < from || time[i] > to) continue;
+    px.push_back(x[i]);
+    py.push_back(y[i]);
+  }
+  const LineFit line = fit_line(px, py);
+  push_fields(state, {{"slope", line.slope},
+                      {"offset", line.offset},
+                      {"r2", line.r2},
+                      {"inverse_slope", line.inverse_slope},
+                      {"rms", line.rms},
+                      {"count", static_cast<double>(line.count)}});
+  return 1;
+}
+
+/// run:drift(signal): the farthest that it gets from where it starts.
+int drift(lua_State* state) {
+  const auto all = columns(rows_of(state), signal_at(state, 2));
+  double farthest = 0.0;
+  for (std::size_t row = 0; row < all.front().size(); ++row) {
+    double squares = 0.0;
+    for (const std::vector<double>& column : all) {
+      const double step = column[row] - column.front();
+      squares += step * step;
+    }
+    farthest = std::max(farthest, std::sqrt(squares));
+  }
+  lua_pushnumber(state, farthest);
+  return 1;
+}
+
+template <double SignalSummary::*Field>
+int summary(lua_State* state) {
+  const std::vector<double> values = scalar(rows_of(state), signal_at(state, 2));
+  lua_pushnumber(state, summarise(values).*Field);
+  return 1;
+}
+
+/// run:at(signal, "1.5 s"): its value in the last row that is not later.
+int value_at(lua_State* state) {
+  const RowStore& rows = rows_of(state);
+  const std::vector<double> values = scalar(rows, signal_at(state, 2));
+  const double when = quantity(to_literal(state, 3), "s", "run:at");
+  const std::vector<double> time = rows.time();
+  const auto after = std::upper_bound(time.begin(), time.end(), when + 1e-12);
+  if (after == time.begin()) throw std::invalid_argument("the run has no row so early");
+  lua_pushnumber(state, values[static_cast<std::size_t>(after - time.begin()) - 1]);
+  return 1;
+}
+
+int result_index(lua_State* state) {
+  const RunResult& result = get<RunRef>(state, 1)->run->result;
+  const std::string name = luaL_checkstring(state, 2);
+  luaL_getmetafield(state, 1, "__methods");
+  lua_getfield(state, -1, name.c_str());
+  if (!lua_isnil(state, -1)) return 1;
+  if (name == "duration") {
+    lua_pushnumber(state, result.duration);
+  } else if (name == "ticks") {
+    lua_pushinteger(state, result.loop.ticks);
+  } else if (name == "rate") {
+    lua_pushnumber(state, result.rate);
+  } else if (name == "faults") {
+    lua_newtable(state);
+    for (std::size_t i = 0; i < result.faults.size(); ++i) {
+      lua_pushstring(state, result.faults[i].text().c_str());
+      lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
+    }
+  } else {
+    return luaL_error(state, "a run has no \"%s\"%s", name.c_str(),
+                      suggestion(name, {"duration", "ticks", "rate", "faults", "fit", "drift",
+                                        "mean", "rms", "min", "max", "first", "last", "at"})
+                          .c_str());
+  }
+  return 1;
+}
+
+}  // namespace
+
+void open_runs(lua_State* state) {
+  lua_pushcfunction(state, guarded<run_graph>);
+  lua_setfield(state, -2, "run");
+  lua_pushcfunction(state, guarded<publish>);
+  lua_setfield(state, -2, "publish");
+  const luaL_Reg result[] = {{"__index", guarded<result_index>}, {nullptr, nullptr}};
+  make_metatable<RunRef>(state, result);
+  const luaL_Reg methods[] = {{"fit", guarded<fit>},
+                              {"drift", guarded<drift>},
+                              {"mean", guarded<summary<&SignalSummary::mean>>},
+                              {"rms", guarded<summary<&SignalSummary::rms>>},
+                              {"min", guarded<summary<&SignalSummary::min>>},
+                              {"max", guarded<summary<&SignalSummary::max>>},
+                              {"first", guarded<summary<&SignalSummary::first>>},
+                              {"last", guarded<summary<&SignalSummary::last>>},
+                              {"at", guarded<value_at>},
+                              {nullptr, nullptr}};
+  luaL_getmetatable(state, Meta<RunRef>::name);
+  luaL_newlib(state, methods);
+  lua_setfield(state, -2, "__methods");
+  lua_pop(state, 1);
+}
+
+}  // namespace trocar::lua

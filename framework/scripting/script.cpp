@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "framework/scripting/script.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "framework/scripting/script_context.hpp"
+#include "framework/text.hpp"
+
+namespace trocar {
+namespace lua {
+namespace {
+
+const char context_key = 0;
+
+/// pairs() in an order that does not depend on addresses: 1 to n, then names alphabetically.
+int ordered_next(lua_State* state) {
+  const lua_Integer i = lua_tointeger(state, lua_upvalueindex(3)) + 1;
+  lua_pushinteger(state, i);
+  lua_replace(state, lua_upvalueindex(3));
+  if (lua_rawgeti(state, lua_upvalueindex(2), i) == LUA_TNIL) return 1;
+  lua_pushvalue(state, -1);
+  lua_gettable(state, lua_upvalueindex(1));
+  return 2;
+}
+
+int ordered_pairs(lua_State* state) {
+  luaL_checkany(state, 1);
+  if (luaL_getmetafield(state, 1, "__pairs") != LUA_TNIL) {
+    lua_pushvalue(state, 1);
+    lua_call(state, 1, 3);
+    return 3;
+  }
+  luaL_checktype(state, 1, LUA_TTABLE);
+  lua_pushvalue(state, 1);
+  lua_newtable(state);
+  lua_Integer n = 0;
+  for (const Key& key : ordered_keys(state, 1)) {
+    if (key.number > 0)
+      lua_pushinteger(state, key.number);
+    else
+      lua_pushstring(state, key.text.c_str());
+    lua_rawseti(state, -2, ++n);
+  }
+  // Keys that are neither, in Lua's order: there is no better one.
+  lua_pushnil(state);
+  while (lua_next(state, 1) != 0) {
+    lua_pop(state, 1);
+    const bool listed = (lua_isinteger(state, -1) && lua_tointeger(state, -1) > 0) ||
+                        lua_type(state, -1) == LUA_TSTRING;
+    if (listed) continue;
+    lua_pushvalue(state, -1);
+    lua_rawseti(state, -3, ++n);
+  }
+  lua_pushinteger(state, 0);
+  lua_pushcclosure(state, ordered_next, 3);
+  return 1;
+}
+
+/// Names that a line of a script can see.
+std::vector<std::string> visible_names(lua_State* state) {
+  std::vector<std::string> names;
+  lua_Debug frame;
+  for (int level = 0; lua_getstack(state, level, &frame) != 0; ++level)
+    for (int i = 1;; ++i) {
+      const char* name = lua_getlocal(state, &frame, i);
+      if (name == nullptr) break;
+      lua_pop(state, 1);
+      if (name[0] != '(') names.emplace_back(name);
+    }
+  lua_pushglobaltable(state);
+  for (const Key& key : ordered_keys(state, -1)) names.push_back(key.text);
+  lua_pop(state, 1);
+  return names;
+}
+
+int unknown_global(lua_State* state) {
+  const std::string name = luaL_checkstring(state, 2);
+  const std::vector<std::string> known = visible_names(state);
+  return push_placeholder(state, name,
+                          fmt::format("there is no variable \"{}\"{}", name,
+                                      nearest(name, known).empty() ? "" : suggestion(name, known)));
+}
+
+int argument(lua_State* state) {
+  ScriptContext& script = context(state);
+  const auto found = script.arguments.find(luaL_checkstring(state, 2));
+  if (found == script.arguments.end()) return 0;
+  found->second.used = true;
+  push_literal(state, found->second.value);
+  return 1;
+}
+
+void open_arguments(lua_State* state) {
+  lua_newtable(state);
+  lua_newtable(state);
+  lua_pushcfunction(state, guarded<argument>);
+  lua_setfield(state, -2, "__index");
+  lua_setmetatable(state, -2);
+  lua_setfield(state, -2, "args");
+}
+
+void seed_random(lua_State* state, std::uint64_t seed) {
+  lua_getglobal(state, "math");
+  lua_getfield(state, -1, "randomseed");
+  lua_pushinteger(state, static_cast<lua_Integer>(seed));
+  lua_call(state, 1, 0);
+  lua_pop(state, 1);
+}
+
+/// All of the script's world: called in protected mode.
+int open_world(lua_State* state) {
+  luaL_openlibs(state);
+  lua_pushnil(state);
+  lua_setglobal(state, "debug");
+  lua_pushcfunction(state, guarded<ordered_pairs>);
+  lua_setglobal(state, "pairs");
+  seed_random(state, context(state).session.options().seed.value_or(1));
+  lua_newtable(state);
+  open_graph(state);
+  open_arithmetic(state);
+  open_groups(state);
+  open_runs(state);
+  open_arguments(state);
+  lua_setglobal(state, "trocar");
+  lua_pushglobaltable(state);
+  lua_newtable(state);
+  lua_pushcfunction(state, guarded<unknown_global>);
+  lua_setfield(state, -2, "__index");
+  lua_setmetatable(state, -2);
+  return 0;
+}
+
+/// require() finds files beside the script.
+void set_search_path(lua_State* state, const std::filesystem::path& script) {
+  const std::filesystem::path folder = script.has_parent_path() ? script.parent_path() : ".";
+  lua_getglobal(state, "package");
+  lua_pushstring(state, ((folder / "?.lua").string()).c_str());
+  lua_setfield(state, -2, "path");
+  lua_pushstring(state, "");
+  lua_setfield(state, -2, "cpath");
+  lua_pop(state, 1);
+}
+
+/// "file:3: message" becomes a finding at that line.
+void add_error(Graph& graph, const std::string& message) {
+  const std::size_t first = message.find(':');
+  const std::size_t second = first == std::string::npos ? first : message.find(':', first + 1);
+  int line = 0;
+  if (second != std::string::npos)
+    std::from_chars(message.data() + first + 1, message.data() + second, line);
+  if (line > 0)
+    graph.finding({message.substr(0, first), line}, std::string(trim(message.substr(second + 1))));
+  else
+    graph.finding({}, message);
+}
+
+}  // namespace
+
+ScriptContext& context(lua_State* state) {
+  lua_rawgetp(state, LUA_REGISTRYINDEX, &context_key);
+  auto* found = static_cast<ScriptContext*>(lua_touserdata(state, -1));
+  lua_pop(state, 1);
+  return *found;
+}
+
+namespace {
+
+void report_unused_arguments(ScriptContext& script) {
+  for (const auto& [key, argument] : script.arguments)
+    if (!argument.used)
+      script.graph().finding(argument.where,
+                             fmt::format("the script never asks for trocar.args.{}", key));
+}
+
+/// Whether the error at the top of the stack only says that the script has described enough.
+bool stopped_on_purpose(const ScriptContext& script) {
+  return script.session.options().check_only && script.ran;
+}
+
+void execute(lua_State* state, ScriptContext& script, const std::string& path,
+             const std::string& text) {
+  const std::string chunk = "@" + path;
+  int status = luaL_loadbufferx(state, text.data(), text.size(), chunk.c_str(), "t");
+  if (status == LUA_OK) status = lua_pcall(state, 0, 0, 0);
+  if (status == LUA_OK || stopped_on_purpose(script)) return;
+  if (script.broken) throw BrokenGraph(*script.broken);
+  const char* message = lua_tostring(state, -1);
+  add_error(script.graph(),
+            message != nullptr ? message : "the script raised a value that is no text");
+}
+
+}  // namespace
+}  // namespace lua
+
+void run_script(Session& session, const std::string& path, Graph::Overrides arguments) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  if (!file || std::filesystem::is_directory(path))
+    throw std::runtime_error(fmt::format("cannot read the script \"{}\"", path));
+  session.add_script(std::filesystem::path(path).filename().string(), text.str());
+
+  lua::ScriptContext script{session, std::move(arguments)};
+  const std::unique_ptr<lua_State, void (*)(lua_State*)> state(luaL_newstate(), &lua_close);
+  lua_pushlightuserdata(state.get(), &script);
+  lua_rawsetp(state.get(), LUA_REGISTRYINDEX, &lua::context_key);
+  lua_pushcfunction(state.get(), lua::open_world);
+  if (lua_pcall(state.get(), 0, 0, 0) != LUA_OK)
+    throw std::runtime_error(fmt::format("Lua does not start: {}", lua_tostring(state.get(), -1)));
+  lua::set_search_path(state.get(), path);
+  lua::execute(state.get(), script, path, text.str());
+
+  lua::report_unused_arguments(script);
+  if (!script.ran || session.options().check_only) session.graph().report_unused_overrides();
+  if (session.options().check_only || !session.graph().findings().empty()) {
+    if (const Findings findings = check(session.graph(), {}); !findings.empty())
+      throw BrokenGraph(findings);
+    return;
+  }
+  if (!script.ran) session.run({});
+}
+
+}  // namespace trocar

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/scripting/lua_value.hpp"
+#include "framework/session.hpp"
+
+namespace trocar::lua {
+
+// What scripts hold in their hands: references into the graph's description.
+struct NodeRef {
+  NodeId node = 0;
+};
+struct SiteRef {
+  Site site;
+  std::string name;
+};
+/// Stands for something that does not exist, so that the script goes on and every mistake is
+/// found; the finding was made where it arose.
+struct Placeholder {
+  std::string what;
+};
+struct RunRef {
+  const SessionRun* run = nullptr;
+};
+
+template <>
+struct Meta<NodeRef> {
+  static constexpr const char* name = "trocar.component";
+};
+template <>
+struct Meta<OutputRef> {
+  static constexpr const char* name = "trocar.output";
+};
+template <>
+struct Meta<InputRef> {
+  static constexpr const char* name = "trocar.input";
+};
+template <>
+struct Meta<ParameterRef> {
+  static constexpr const char* name = "trocar.parameter";
+};
+template <>
+struct Meta<SiteRef> {
+  static constexpr const char* name = "trocar.site";
+};
+template <>
+struct Meta<Placeholder> {
+  static constexpr const char* name = "trocar.placeholder";
+};
+template <>
+struct Meta<RunRef> {
+  static constexpr const char* name = "trocar.result";
+};
+
+/// What the functions of the binding share; one for each script that runs.
+struct ScriptContext {
+  Session& session;
+  Graph::Overrides arguments;
+  std::vector<std::string> scopes{};  // names of the groups that are being built
+  bool ran = false;                   // the script called trocar.run
+  std::optional<Findings> broken{};   // why a run did not begin
+
+  Graph& graph() { return session.graph(); }
+  std::string scope() const { return scopes.empty() ? std::string() : scopes.back(); }
+};
+
+ScriptContext& context(lua_State* state);
+
+/// Adds a finding at the line that is running and pushes a placeholder.
+int push_placeholder(lua_State* state, const std::string& what, const std::string& finding);
+
+/// "laparoscope.tool.tip.position"
+std::string signal_name(const Graph& graph, const OutputRef& output);
+
+// Each opens its part of the library; the `trocar` table is on top of the stack.
+void open_graph(lua_State* state);       // components, outputs, inputs, sites
+void open_arithmetic(lua_State* state);  // + - * on outputs: after open_graph
+void open_groups(lua_State* state);
+void open_runs(lua_State* state);
+
+/// Calls constructor `type` with the table at the top of the stack; pushes the component.
+int construct(lua_State* state, const std::string& type);
+/// Applies one entry of a constructor's table: key, and the value at the top of the stack.
+void apply_entry(lua_State* state, NodeId node, const std::string& key);
+
+}  // namespace trocar::lua

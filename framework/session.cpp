@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "framework/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "framework/graph_json.hpp"
+#include "framework/literal_json.hpp"
+#include "framework/logger.hpp"
+
+namespace trocar {
+namespace {
+
+std::uint64_t date_ns() {
+  return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(
+                                        std::chrono::system_clock::now().time_since_epoch())
+                                        .count());
+}
+
+const Logger* find_logger(const Graph& graph) {
+  for (NodeId id = 0; id < graph.size(); ++id)
+    if (const auto* logger = dynamic_cast<const Logger*>(graph.node(id).component.get()))
+      return logger;
+  return nullptr;
+}
+
+/// "wall" and "wall.force" want the port "wall.force"; so does "wall.force.z".
+bool wants(std::string_view pattern, std::string_view port) {
+  const auto inside = [](std::string_view outer, std::string_view inner) {
+    return inner.starts_with(outer) && (inner.size() == outer.size() || inner[outer.size()] == '.');
+  };
+  return inside(pattern, port) || inside(port, pattern);
+}
+
+}  // namespace
+
+Session::Session(const Registry& registry, SessionOptions options)
+    : options_(std::move(options)), graph_(registry) {
+  graph_.overrides = options_.set;
+}
+
+void Session::add_script(std::string name, std::string text) {
+  scripts_.emplace_back(std::move(name), std::move(text));
+}
+
+RowLayout::Selection Session::selection() const {
+  const Logger* logger = find_logger(graph_);
+  if (logger == nullptr) return {};
+  std::vector<std::string> patterns;
+  if (const auto* one = logger->signals->as<std::string>()) patterns = {*one};
+  if (const auto* list = logger->signals->as<Literal::List>())
+    for (const Literal& each : *list)
+      if (const auto* pattern = each.as<std::string>()) patterns.push_back(*pattern);
+  if (patterns.empty() || patterns == std::vector<std::string>{"all"}) return {};
+  return [patterns](const std::string& port) {
+    return std::any_of(patterns.begin(), patterns.end(),
+                       [&](const std::string& pattern) { return wants(pattern, port); });
+  };
+}
+
+void Session::open_log() {
+  if (log_opened_) return;
+  log_opened_ = true;
+  const Logger* logger = find_logger(graph_);
+  if (!options_.record && logger == nullptr) return;
+  log_path_ = options_.record ? *options_.record : *logger->file;
+  log_ =
+      std::make_unique<LogFile>(log_path_, options_.clock == ClockKind::simulated ? 0 : date_ns());
+  for (const auto& [name, text] : scripts_) log_->attach(name, "text/x-lua", text);
+  log_->attach("graph.json", "application/json", graph_json(graph_));
+}
+
+const SessionRun& Session::run(RunOptions wanted) {
+  wanted.clock = options_.clock;
+  if (options_.duration) wanted.duration = options_.duration;
+  if (options_.seed) wanted.wiring.seed = *options_.seed;
+  wanted.stop = options_.stop;
+  for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);
+  if (const Findings findings = check(graph_, wanted.wiring); !findings.empty())
+    throw BrokenGraph(findings);  // before a log is begun
+  open_log();
+  auto one = std::make_unique<SessionRun>();
+  std::unique_ptr<Recorder> recorder;
+  wanted.sinks.push_back(&one->highlights);
+  if (log_) {
+    recorder = std::make_unique<Recorder>(*log_, selection());
+    wanted.sinks.push_back(recorder.get());
+  }
+  if (options_.progress != nullptr) wanted.sinks.push_back(options_.progress);
+  one->result = trocar::run(graph_, wanted);
+  runs_.push_back(std::move(one));
+  return *runs_.back();
+}
+
+void Session::publish(std::string name, Literal row) {
+  if (log_) log_->publish(name, literal_json(row));
+  published_.push_back({std::move(name), std::move(row)});
+}
+
+void Session::finish() {
+  if (!log_) return;
+  try {
+    log_->close();
+  } catch (const std::exception& error) {
+    troubles_.emplace_back(error.what());
+  }
+}
+
+bool Session::sound() const {
+  return troubles_.empty() && std::all_of(runs_.begin(), runs_.end(), [](const auto& run) {
+           return run->result.faults.empty() && run->result.lost.empty();
+         });
+}
+
+}  // namespace trocar

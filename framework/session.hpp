@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/graph.hpp"
+#include "framework/highlights.hpp"
+#include "framework/recording/log_file.hpp"
+#include "framework/run.hpp"
+
+namespace trocar {
+
+/// What the command line says about a session; it wins over the script.
+struct SessionOptions {
+  ClockKind clock = ClockKind::realtime;
+  std::optional<double> duration{};     // [s] --for
+  std::optional<std::uint64_t> seed{};  // --seed
+  std::optional<std::string> record{};  // --record
+  Graph::Overrides set{};               // --set
+  bool check_only = false;              // stop at the first run
+  const StopFlag* stop = nullptr;
+  RowSink* progress = nullptr;
+};
+
+/// A row of results that a script published: names and values, in the script's order.
+struct Published {
+  std::string name;
+  Literal row;
+};
+
+/// One run of a session with what it looked like.
+struct SessionRun {
+  RunResult result;
+  Highlights highlights;
+};
+
+/// What a script asked for and what came of it. A script describes a graph and may run it several
+/// times; a session carries that out and keeps the log, the results and the report together.
+class Session {
+ public:
+  Session(const Registry& registry, SessionOptions options);
+
+  Graph& graph() { return graph_; }
+  const SessionOptions& options() const { return options_; }
+
+  /// A script's text, for the log.
+  void add_script(std::string name, std::string text);
+  /// Runs the graph as it stands; `wanted` is what the script asks, the options win.
+  /// @throw BrokenGraph with every finding
+  const SessionRun& run(RunOptions wanted);
+  void publish(std::string name, Literal row);
+  /// Closes the log.
+  void finish();
+
+  const std::vector<std::unique_ptr<SessionRun>>& runs() const { return runs_; }
+  const std::vector<Published>& published() const { return published_; }
+  const std::string& log_path() const { return log_path_; }
+  /// Messages about the log that a user must see.
+  const std::vector<std::string>& troubles() const { return troubles_; }
+  /// Whether everything ran without a fault or a loss.
+  bool sound() const;
+
+ private:
+  void open_log();
+  RowLayout::Selection selection() const;
+
+  SessionOptions options_;
+  Graph graph_;
+  std::vector<std::pair<std::string, std::string>> scripts_;
+  std::unique_ptr<LogFile> log_;
+  std::string log_path_;
+  bool log_opened_ = false;
+  std::vector<std::unique_ptr<SessionRun>> runs_;
+  std::vector<Published> published_;
+  std::vector<std::string> troubles_;
+};
+
+}  // namespace trocar
