@@ -10,15 +10,14 @@ struct AxisFigures {
   double effort, rise, speed, margin, damping, damping_cap;
 };
 
-// rise:    the cap of 20 N at the handle within 1 ms, a wall of 18 N/mm hit at 1 m/s; the rings
-//          the same at the lever of their pins, 60 mm from the centre.
-// speed:   1 m/s at the handle needs up to 1.7 m/s of a slider inside the workspace; the rings'
-//          motors turn at 3000 rpm behind a capstan of 15.
+// rise:    20 N at E takes up to 101 N and 6.1 N m inside the workspace: 5 ms.
+// speed:   1 m/s of a tool that does not turn takes up to 2.0 m/s and 20 rad/s; at that the rings'
+//          motors turn at 2900 rpm behind a capstan of 15.
 // margin:  how far the peak effort presses into the rubber stops of 100 N/mm and 300 N m/rad,
 //          and half as much again.
 constexpr AxisFigures slider{200.0, 20e3, 2.0, 3e-3, 20.0, 5.0};
 constexpr AxisFigures ring{12.0, 1.2e3, 20.0, 0.06, 0.15, 0.3};
-constexpr double handle_speed = 1.0;  // [m/s], twice what surgery takes
+constexpr double handle_speed = 1.0;  // [m/s], from which the speeds follow
 
 }  // namespace
 
