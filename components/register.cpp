@@ -9,6 +9,7 @@
 #include "components/filters/foaw.hpp"
 #include "components/fixtures/spring.hpp"
 #include "components/fixtures/wall.hpp"
+#include "components/register_laparoscope.hpp"
 #include "components/sources/chirp.hpp"
 #include "components/sources/constant.hpp"
 #include "components/sources/sine.hpp"
@@ -19,6 +20,8 @@
 namespace trocar {
 
 void register_components(Registry& registry) {
+  register_laparoscope(registry);
+
   registry.add<Delay>("Delay", "control", "A signal some ticks ago; breaks a loop");
   registry.add<Product>("Product", "control", "A signal times a number that varies");
   registry.add<Scale>("Scale", "control", "A signal times a fixed factor");

@@ -69,6 +69,20 @@ std::string probe_for(const InputPort& input) {
   return "NumberProbe";
 }
 
+/// The device type that reports what the input needs: where its axes are is no small motion about
+/// 0.
+std::optional<std::string> device_for(const Registry& registry, const InputPort& input) {
+  if (!input.signature()) return std::nullopt;
+  for (const ComponentType& type : registry.types()) {
+    const auto component = type.make ? type.make() : nullptr;
+    auto* device = dynamic_cast<Device*>(component.get());
+    if (device != nullptr && device->position().name() == input.name() &&
+        mismatch(*device->position().signature(), *input.signature()).empty())
+      return type.name;
+  }
+  return std::nullopt;
+}
+
 Registry probes_and_components() {
   Registry registry;
   register_components(registry);
@@ -106,6 +120,11 @@ std::unique_ptr<WiredGraph> alone(const Registry& registry, const std::string& t
       graph.set({node, parameter->name()}, *value, where);
   }
   for (const InputPort* input : component.inputs()) {
+    if (const auto device = device_for(registry, *input)) {
+      const NodeId source = *graph.add(*device, "device_of_" + input->name(), where);
+      graph.connect({source, input->name()}, {node, input->name()}, where);
+      continue;
+    }
     const NodeId probe = *graph.add(probe_for(*input), "probe_of_" + input->name(), where);
     graph.connect({probe, "value"}, {node, input->name()}, where);
   }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "components/devices/simulated_laparoscope_parameters.hpp"
+#include "components/kinematics/laparoscope_parameters.hpp"
+#include "framework/group.hpp"
+
+namespace trocar {
+
+/// The laparoscopic interface, ready for fixtures: device, velocity, kinematics, gravity
+/// compensation and statics.
+///
+///   device.position → velocity → tool        weight.effort  → device.hold
+///   device.position → tool, weight           statics.effort → device.effort
+///   tool → statics ← forces at the sites tip, incision, handle
+class Laparoscope final : public Group {
+ public:
+  void build(GroupScope& scope) override;
+
+  Parameter<Choice> device{
+      this,
+      "device",
+      {.initial = "simulated", .doc = "what is behind the group", .choices = {"simulated"}}};
+  MountParameter mount{this};
+  LaparoscopeSiteParameters sites{this};
+  LaparoscopeUseParameters use{this};
+};
+
+}  // namespace trocar
