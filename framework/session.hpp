@@ -17,6 +17,7 @@ namespace trocar {
 struct SessionOptions {
   ClockKind clock = ClockKind::realtime;
   std::optional<double> duration{};     // [s] --for
+  double default_duration = 10.0;       // [s] in virtual time, where nobody says
   std::optional<std::uint64_t> seed{};  // --seed
   std::optional<std::string> record{};  // --record
   Graph::Overrides set{};               // --set

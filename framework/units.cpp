@@ -236,8 +236,8 @@ Quantity parse_quantity(std::string_view text) {
   }
 }
 
-std::string format_quantity(double si_value, const Unit& unit) {
-  const std::string number = fmt::format("{:.12g}", si_value / unit.scale + 0.0);  // no "-0"
+std::string format_quantity(double value, const Unit& unit) {
+  const std::string number = fmt::format("{:.12g}", value / unit.scale + 0.0);  // no "-0"
   return unit.symbol.empty() ? number : number + " " + unit.symbol;
 }
 

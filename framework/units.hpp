@@ -51,7 +51,7 @@ Quantity parse_quantity(std::string_view text);
 
 /// The number in `unit` and its symbol: 2200 and N/mm give "2.2 N/mm". Shortest text that reads
 /// back as the same number to 12 digits.
-std::string format_quantity(double si_value, const Unit& unit);
+std::string format_quantity(double value, const Unit& unit);
 
 /// The SI symbol of a dimension, with the derived units of mechanics where they fit: "N/m",
 /// "N m/rad", "rad/s".
