@@ -50,7 +50,7 @@ class TestWiring : public QObject {
   Q_OBJECT
 
  private slots:
-  void the_order_follows_wiring_then_declaration_with_devices_first() {
+  void the_order_is_devices_then_wiring_then_declaration_and_late_inputs_where_free() {
     Rig rig;
     const NodeId last = rig.add("Follower", "last");
     const NodeId first = rig.add("Number", "first");
@@ -58,7 +58,7 @@ class TestWiring : public QObject {
     rig.add("TestDevice", "device");
     rig.wire(first, "value", last, "input");
     rig.wire(second, "value", last, "late");
-    QCOMPARE(rig.order(), QString("device first last second"));
+    QCOMPARE(rig.order(), QString("device first second last"));
   }
 
   void a_loop_is_refused_with_its_path() {
