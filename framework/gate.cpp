@@ -233,7 +233,7 @@ double Gate::risen_scale(double scale) const RT_SAFE {
 Joints Gate::command() RT_SAFE {
   Joints sent{};
   double scale = 0.0;
-  if (position_lost_ || !homed_) {
+  if (position_lost_ || hold_lost_ || !homed_) {
     rendered_before_ = {};
     **device_.scale_ = 0.0;
     return sent;
@@ -242,7 +242,7 @@ Joints Gate::command() RT_SAFE {
   if (rendering) scale = risen_scale(largest_scale());
   for (int i = 0; i < limits_.axes; ++i) {
     rendered_before_[i] = rendering ? scale * (**device_.effort_)[i] : 0.0;
-    if (!hold_lost_) sent[i] = hold_ramp_ * (**device_.hold_)[i];
+    sent[i] = hold_ramp_ * (**device_.hold_)[i];
     sent[i] += rendering ? rendered_before_[i] : damping(i);
     sent[i] = std::clamp(sent[i], -limits_.effort[i], limits_.effort[i]);
   }

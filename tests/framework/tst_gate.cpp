@@ -269,10 +269,10 @@ class TestGate : public QObject {
     QTest::newRow("operator") << "operator" << true << true;
     QTest::newRow("effort computed from a value that is not finite")
         << "unusable effort" << true << true;
-    QTest::newRow("NaN in hold") << "hold nan" << false << true;
-    QTest::newRow("hold beyond its limit") << "hold limit" << false << true;
+    QTest::newRow("NaN in hold") << "hold nan" << false << false;
+    QTest::newRow("hold beyond its limit") << "hold limit" << false << false;
     QTest::newRow("hold computed from a value that is not finite")
-        << "unusable hold" << false << true;
+        << "unusable hold" << false << false;
     QTest::newRow("NaN in the report") << "position nan" << false << false;
     QTest::newRow("stale report") << "report invalid" << false << false;
     QTest::newRow("encoder jump") << "jump" << false << false;
