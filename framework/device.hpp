@@ -62,6 +62,7 @@ struct ToolLoad {
   Vector3 value;                                          // [N or N m]
   double cap = 0.0;                                       // rendering is scaled down to it
   double trip = std::numeric_limits<double>::infinity();  // raw value beyond it latches
+  double calm = std::numeric_limits<double>::infinity();  // to engage, it must be below
 };
 
 struct ToolLoads {
@@ -116,6 +117,7 @@ class Device : public Component {
   virtual double handle_speed(const Joints& velocity) const RT_SAFE = 0;
   virtual void write(const Tick& tick, const GatedEffort& effort) RT_SAFE = 0;
 
+  bool has_gate_ = false;  // while it has one, nobody can make another
   Output<Joints>* position_ = nullptr;
   Input<Joints>* hold_ = nullptr;
   Input<Joints>* effort_ = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -57,7 +58,7 @@ class Executor {
 
   const LoopStatistics& statistics() const { return statistics_; }
   const FaultLatch& faults() const { return faults_; }
-  const std::vector<Gate>& gates() const { return gates_; }
+  const std::deque<Gate>& gates() const { return gates_; }
 
  private:
   struct ItemState {
@@ -83,7 +84,7 @@ class Executor {
   WiredGraph& graph_;
   ExecutorOptions options_;
   FaultLatch faults_;
-  std::vector<Gate> gates_;
+  std::deque<Gate> gates_;
   std::vector<Gate::State> gate_states_;  // last reported
   std::vector<ItemState> states_;
   std::vector<std::int64_t> times_;  // [ns] of each component in this tick

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace trocar {
 namespace {
@@ -11,7 +13,6 @@ constexpr double hold_ramp_time = 1.0;    // [s]
 constexpr double effort_ramp_time = 0.5;  // [s]
 constexpr double calm_time = 0.5;         // [s] before engaging
 constexpr double calm_speed = 0.020;      // [m/s] of the handle
-constexpr double calm_force = 1.0;        // [N] that engaging would render
 constexpr double sound_time = 0.1;        // [s] without a fault before one can be acknowledged
 constexpr double deadline_periods = 3.0;  // after which a command is not valid any more
 
@@ -31,7 +32,11 @@ Gate::Gate(Device& device, double period, FaultLatch& faults)
       velocity_(period),
       state_(device.starts_engaged() ? State::engaged : State::cold),
       hold_ramp_(device.starts_engaged() ? 1.0 : 0.0),
-      effort_ramp_(device.starts_engaged() ? 1.0 : 0.0) {}
+      effort_ramp_(device.starts_engaged() ? 1.0 : 0.0) {
+  if (device.has_gate_)
+    throw std::logic_error("the device " + device.name() + " has a gate already");
+  device.has_gate_ = true;
+}
 
 void Gate::pass(const Tick& tick, bool effort_usable, bool hold_usable) RT_SAFE {
   tick_ = tick;
@@ -180,11 +185,11 @@ void Gate::advance_state() RT_SAFE {
       if (hold_ramp_ >= 1.0) state_ = State::holding;
       break;
     case State::holding: {
-      double force = 0.0;
-      for (int i = 0; i < loads_.count; ++i)
-        force = std::max(force, loads_.load[static_cast<std::size_t>(i)].value.eigen().norm());
-      const bool calm =
-          status.dead_man && force < calm_force && device_.handle_speed(velocity()) < calm_speed;
+      bool calm = status.dead_man && device_.handle_speed(velocity()) < calm_speed;
+      for (int i = 0; i < loads_.count; ++i) {
+        const ToolLoad& load = loads_.load[static_cast<std::size_t>(i)];
+        calm = calm && load.value.eigen().norm() < load.calm;
+      }
       calm_for_ = calm ? calm_for_ + period_ : 0.0;
       if (engage_requested_ && calm_for_ >= calm_time) state_ = State::engaging;
       break;

@@ -18,20 +18,24 @@ namespace trocar {
 /// of hold (1 s) and engagement (0.5 s).
 ///
 /// A trip latches. While the position is trusted it ends the rendering at once; hold and a capped
-/// damping stay, so that the tool does not fall on the hand. When hold itself is wrong, damping
-/// alone stays; when the position is wrong or the device not homed, nothing does.
+/// damping stay, so that the tool does not fall on the hand. When the position or hold itself is
+/// wrong, or the device is not homed, nothing stays.
 class Gate {
  public:
   enum class State { cold, holding, engaging, engaged, tripped };
 
+  /// @throw std::logic_error when the device has a gate already: there is one way to its motors
   Gate(Device& device, double period, FaultLatch& faults);
+  ~Gate() { device_.has_gate_ = false; }
+  Gate(const Gate&) = delete;
+  Gate& operator=(const Gate&) = delete;
 
   /// Sends this tick's effort. `effort_usable` and `hold_usable` say whether everything that they
   /// are computed from was finite in this tick.
   void pass(const Tick& tick, bool effort_usable, bool hold_usable) RT_SAFE;
 
   /// Asks to render; granted when homed, no fault, dead-man pressed, and for 0.5 s the handle
-  /// slower than 20 mm/s and the rendered force below 1 N.
+  /// slower than 20 mm/s and every load below what the device calls calm.
   void request_engage() RT_SAFE { engage_requested_ = true; }
   /// Ends rendering until acknowledged; latches `fault`.
   void stop_rendering(const Fault& fault) RT_SAFE;

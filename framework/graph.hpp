@@ -148,6 +148,8 @@ class GroupScope {
   NodeId add(std::string_view type, std::string_view name);
   void connect(const OutputRef& from, const InputRef& to);
   void set(NodeId node, std::string_view parameter, const Literal& value);
+  /// Builds a part that is a group itself, once its parameters are set.
+  void build(NodeId group) { graph_.build_group(group); }
   /// The part's parameter follows the group's.
   void forward(std::string_view parameter, NodeId node, std::string_view part_parameter);
   Exports& exports() { return graph_.node(group_).exports; }

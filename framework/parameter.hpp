@@ -43,6 +43,8 @@ class ParameterBase {
   const std::string& name() const { return name_; }
   const std::string& doc() const { return doc_; }
   const Unit& unit() const { return unit_; }
+  /// In which values are shown: the range's own where there is one.
+  const Unit& shown_unit() const { return shown_unit_; }
   const std::vector<std::string>& choices() const { return choices_; }
   bool live() const { return live_; }
   bool required() const { return !has_initial_; }

@@ -50,7 +50,7 @@ std::string read_value(Self self, const Literal& literal, double& value) {
   return self.read_number(literal, value);
 }
 std::string print_value(Self self, double value) {
-  return format_quantity(value, self.unit());
+  return format_quantity(value, self.shown_unit());
 }
 const char* name_of(double) {
   return "number";
@@ -123,8 +123,9 @@ std::string read_value(Self self, const Literal& literal, Vector3& value) {
   return read_vector(literal, xyz, one, {&value.x, 3});
 }
 std::string print_value(Self self, const Vector3& value) {
-  return fmt::format("{{{}, {}, {}}}", format_quantity(value.x, self.unit()),
-                     format_quantity(value.y, self.unit()), format_quantity(value.z, self.unit()));
+  return fmt::format("{{{}, {}, {}}}", format_quantity(value.x, self.shown_unit()),
+                     format_quantity(value.y, self.shown_unit()),
+                     format_quantity(value.z, self.shown_unit()));
 }
 const char* name_of(const Vector3&) {
   return "three numbers";

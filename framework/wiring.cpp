@@ -292,7 +292,16 @@ void Wiring::connect() {
 }
 
 void Wiring::configure() {
+  // What is fed by a component that refused would be configured on nothing.
+  std::vector<bool> unsound(graph_.size(), false);
+  std::vector<std::vector<NodeId>> feeds(graph_.size());
+  for (const ResolvedWire& wire : wires_)
+    if (wire.to->feedthrough()) feeds[wire.from_node].push_back(wire.to_node);
   for (std::size_t i = 0; i < order_.size(); ++i) {
+    if (unsound[order_[i]]) {
+      for (const NodeId next : feeds[order_[i]]) unsound[next] = true;
+      continue;
+    }
     Component& component = *result_->components_[order_[i]];
     const double divider = static_cast<double>(result_->schedule_[i].divider);
     try {
@@ -300,12 +309,17 @@ void Wiring::configure() {
                            .seed = seed_for(options_.seed, component.name())});
     } catch (const std::invalid_argument& error) {
       findings_.add(where_of(order_[i]), fmt::format("{}: {}", component.name(), error.what()));
-      return;  // those behind it would be configured on nothing
+      for (const NodeId next : feeds[order_[i]]) unsound[next] = true;
     }
   }
 }
 
 void Wiring::check_limits() {
+  constexpr std::size_t most_devices = 32;  // a bit each in the schedule's dependencies
+  if (result_->devices_.size() > most_devices)
+    findings_.add({}, fmt::format("{} devices in one graph: {} are possible",
+                                  result_->devices_.size(), most_devices));
+  if (!findings_.empty()) return;
   for (Device* device : result_->devices_) {
     const std::vector<std::string> missing = device->limits().missing();
     if (!missing.empty())

@@ -68,12 +68,8 @@ int node_index(lua_State* state) {
 void connect_literal(lua_State* state, NodeId node, const std::string& input) {
   Graph& graph = context(state).graph();
   const Where at = where(state);
-  std::string name = graph.node(node).name + "_" + input;
-  const std::string scope = context(state).scope();
-  if (!scope.empty() && name.starts_with(scope + ".")) name = name.substr(scope.size() + 1);
-  for (char& c : name)
-    if (c == '.') c = '_';
-  const auto constant = graph.add("Constant", name, at, scope);
+  const std::string owner = graph.node(node).name;
+  const auto constant = graph.add("Constant", input, at, owner);
   if (!constant) return;
   graph.set({*constant, "value"}, to_literal(state, -1), at);
   graph.connect({*constant, "value", ""}, {node, input}, at);

@@ -82,7 +82,7 @@ class TestDescription : public QObject {
           "  local pusher = trocar.Pusher { at = laparoscope.tip, mass = \"1 kg\", stiffness = ",
           "Inputs\n  position  Vector3 [m] in device, wired by at\n            Where it is\n",
           "  gain      double, optional\n", "Outputs\n  force  Vector3 [N] in device\n",
-          "  stiffness  number, 0–50 N/mm, default 2200 N/m, live\n",
+          "  stiffness  number, 0–50 N/mm, default 2.2 N/mm, live\n",
           "  mass       number [kg], required\n",
           "  axis       one of \"x\", \"y\", default \"x\"\n"})
       QVERIFY2(text.find(part) != std::string::npos, (part + ("\nis not in\n" + text)).c_str());

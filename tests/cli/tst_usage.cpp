@@ -27,7 +27,7 @@ class TestUsage : public QObject {
     row("of info", {"info", "--help"}, 0, "Example:\n  trocar info demo.mcap", "");
     row("of kinematics", {"kinematics", "--help"}, 0, "Example:\n  trocar kinematics fk", "");
     row("of a question", {"kinematics", "ik", "--help"}, 0, "| trocar kinematics ik", "");
-    row("no command", {}, 2, "", "trocar: a command is needed: list, describe");
+    row("no command", {}, 2, "", "trocar: a command is needed: run, check, list, describe");
     row("an unknown command", {"lsit"}, 2, "",
         "trocar: there is no command \"lsit\", did you mean \"list\"?");
     row("an unknown option", {"list", "--jsn"}, 2, "",

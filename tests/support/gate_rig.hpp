@@ -71,7 +71,7 @@ class TestDevice final : public Device {
   DeviceStatus status() const RT_SAFE override { return report; }
   void tool_loads(const Joints& of, ToolLoads& all) const RT_SAFE override {
     for (int i = 0; i < loads; ++i)
-      all.add({"handle force", Vector3(handle_force(of)), cap, load_trip});
+      all.add({"handle force", Vector3(handle_force(of)), cap, load_trip, 1.0});
   }
   double handle_speed(const Joints& velocity) const RT_SAFE override {
     return velocity.head<3>().norm();

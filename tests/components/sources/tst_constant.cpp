@@ -61,7 +61,7 @@ class TestConstant : public QObject {
     QTest::newRow("no unit that there is") << "0, 0, 3 foo"
                                            << "\"foo\" is no unit";
     QTest::newRow("no finite number") << "0, 0, nan m"
-                                      << "finite";
+                                      << "\"nan m\" is no quantity";
   }
   void into_a_wall() {
     QFETCH(QString, value);
