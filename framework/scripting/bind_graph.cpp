@@ -88,7 +88,7 @@ void connect_value(lua_State* state, const InputRef& input) {
       lua_pop(state, 1);
     }
   } else if (get<Placeholder>(state, -1) != nullptr) {
-    return;
+    graph.node(input.node).excused = true;
   } else if (lua_isuserdata(state, -1)) {
     graph.finding(
         where(state),
@@ -148,9 +148,11 @@ void set_rate(lua_State* state, NodeId node, const std::string& key) {
 
 void place_at(lua_State* state, NodeId node) {
   Graph& graph = context(state).graph();
-  if (const auto* site = get<SiteRef>(state, -1))
+  if (const auto* site = get<SiteRef>(state, -1)) {
     graph.place(node, site->site, where(state));
-  else if (get<Placeholder>(state, -1) == nullptr) {
+  } else if (get<Placeholder>(state, -1) != nullptr) {
+    graph.node(node).excused = true;
+  } else {
     graph.finding(where(state),
                   fmt::format("{}: at = {} is no site, e.g. at = laparoscope.tip",
                               graph.node(node).name, luaL_tolstring(state, -1, nullptr)));
@@ -330,8 +332,10 @@ int no_field(lua_State* state) {
 void apply_entry(lua_State* state, NodeId id, const std::string& key) {
   Graph& graph = context(state).graph();
   if (key == "name") return;
-  if (key == "at") return place_at(state, id);
-  if (key == "rate" || key == "phase") return set_rate(state, id, key);
+  // A declared parameter wins: a Step has a time that it calls "at", a Sine an angle "phase".
+  const bool declared = graph.node(id).settings().find_parameter(key) != nullptr;
+  if (key == "at" && !declared) return place_at(state, id);
+  if ((key == "rate" || key == "phase") && !declared) return set_rate(state, id, key);
   const std::size_t dot = key.find('.');
   const Graph::Node& node = graph.node(id);
   if (dot != std::string::npos) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "framework/scripting/script_context.hpp"
 #include "framework/signal_math.hpp"
@@ -10,6 +11,8 @@
 
 namespace trocar::lua {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What trocar.check stops with; no user sees it.
 constexpr const char* stop_here = "trocar: the script stops at its first run";
@@ -185,8 +188,8 @@ int fit(lua_State* state) {
                                                           : scalar(rows, signal_at(state, -1));
   lua_pop(state, 1);
   const std::vector<double> time = rows.time();
-  const double from = time_field(state, "from", -INFINITY);
-  const double to = time_field(state, "to", INFINITY);
+  const double from = time_field(state, "from", -infinity);
+  const double to = time_field(state, "to", infinity);
   std::vector<double> px, py;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (chosen[i] == 0.0 || time[i] < from || time[i] > to) continue;
