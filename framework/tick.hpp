@@ -10,8 +10,8 @@ struct Tick {
   std::int64_t index = 0;
   std::int64_t time_ns = 0;  // of the slot, since the run's start
   double time = 0.0;         // [s] the same
-  double dt = 0.0;           // [s] since the component's last step, measured, clamped to
-                             // between half and twice its period
+  double dt = 0.0;           // [s] since the component's last step, by the slots that passed,
+                             // clamped to between half and twice its period
 };
 
 /// What a component may know when it is configured.
