@@ -23,7 +23,8 @@ struct Event {
   std::int64_t tick = 0;
   std::int64_t time_ns = 0;
   const char* source = "";  // component
-  const char* detail = "";
+  const char* what = "";    // "speed", "stiffness", "engaged"
+  const char* detail = "";  // "handle"
   double value = 0.0;
   double limit = 0.0;
 };

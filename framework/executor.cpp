@@ -115,7 +115,8 @@ void Executor::obey(const Command& command, const Tick& tick) RT_SAFE {
       const bool taken = ramps_.begin(command.parameter, command.target, ticks);
       event.kind = taken ? Event::Kind::edit : Event::Kind::edit_refused;
       event.source = command.owner;
-      event.detail = taken ? command.parameter->name().c_str() : "too many edits at a time";
+      event.what = command.parameter->name().c_str();
+      if (!taken) event.detail = "too many edits at a time";
       event.value = command.target[0];
       send(event);
       return;
@@ -240,7 +241,8 @@ void Executor::report_changes(const Tick& tick) RT_SAFE {
           .tick = fault.tick,
           .time_ns = fault.time_ns,
           .source = fault.component,
-          .detail = to_string(fault.cause),
+          .what = to_string(fault.cause),
+          .detail = fault.detail,
           .value = fault.value,
           .limit = fault.limit});
   }
@@ -251,7 +253,7 @@ void Executor::report_changes(const Tick& tick) RT_SAFE {
           .tick = tick.index,
           .time_ns = tick.time_ns,
           .source = gates_[d].device().name().c_str(),
-          .detail = to_string(gates_[d].state())});
+          .what = to_string(gates_[d].state())});
   }
 }
 

@@ -70,6 +70,7 @@ void Session::open_log() {
       std::make_unique<LogFile>(log_path_, options_.clock == ClockKind::simulated ? 0 : date_ns());
   for (const auto& [name, text] : scripts_) log_->attach(name, "text/x-lua", text);
   log_->attach("graph.json", "application/json", graph_json(graph_));
+  for (const Published& one : published_) log_->publish(one.name, literal_json(one.row));
 }
 
 const SessionRun& Session::run(RunOptions wanted) {
@@ -102,9 +103,9 @@ void Session::publish(std::string name, Literal row) {
 }
 
 void Session::finish() {
-  if (!log_) return;
   try {
-    log_->close();
+    if (!published_.empty()) open_log();
+    if (log_) log_->close();
   } catch (const std::exception& error) {
     troubles_.emplace_back(error.what());
   }
@@ -112,7 +113,8 @@ void Session::finish() {
 
 bool Session::sound() const {
   return troubles_.empty() && std::all_of(runs_.begin(), runs_.end(), [](const auto& run) {
-           return run->result.faults.empty() && run->result.lost.empty();
+           return run->result.faults.empty() && run->result.lost.empty() &&
+                  run->result.loop.rows_lost == 0;
          });
 }
 

@@ -53,7 +53,7 @@ class Chirp final : public Waveform {
                              {.unit = "s",
                               .initial = "20 s",
                               .min = "1 ms",
-                              .max = "1 h",
+                              .max = "3600 s",
                               .doc = "from beginning to end"}};
   Parameter<double> taper{this,
                           "taper",

@@ -60,7 +60,7 @@ class Staircase final : public Component {
                              {.unit = "s",
                               .initial = "60 s",
                               .min = "0.1 s",
-                              .max = "24 h",
+                              .max = "86400 s",
                               .doc = "of the whole course, from the run's start"}};
   Parameter<double> ramp{this,
                          "ramp",

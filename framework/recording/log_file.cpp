@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "framework/recording/cdr.hpp"
@@ -70,10 +71,10 @@ void Recorder::begin(const RowLayout& layout, const WiredGraph& graph) {
   const std::size_t head =
       layout.ports().empty() ? layout.size() : layout.ports().front().row_offset;
   pieces_ = {{0, 0, head}};
-  std::size_t full = 0;
   for (const RowPort& port : narrow.ports()) {
-    while (layout.ports()[full].name != port.name) ++full;
-    pieces_.push_back({layout.ports()[full].row_offset, port.row_offset, port.size});
+    const auto full = std::find_if(layout.ports().begin(), layout.ports().end(),
+                                   [&](const RowPort& other) { return other.name == port.name; });
+    pieces_.push_back({full->row_offset, port.row_offset, port.size});
   }
   message_.assign(cdr_head + narrow.size(), std::byte{0});
   std::memcpy(message_.data(), cdr_little_endian, cdr_head);
@@ -103,7 +104,9 @@ void Recorder::event(const Event& event) {
   cdr.number(event.time_ns);
   cdr.string(to_string(event.kind));
   cdr.string(event.source);
-  cdr.string(event.detail);
+  const std::string_view what = event.what;
+  const std::string_view detail = event.detail;
+  cdr.string(fmt::format("{}{}{}", what, what.empty() || detail.empty() ? "" : ": ", detail));
   cdr.number(event.value);
   cdr.number(event.limit);
   const std::uint64_t time = start_ns_ + static_cast<std::uint64_t>(event.time_ns);

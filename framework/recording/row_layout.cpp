@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstring>
 #include <map>
@@ -117,11 +118,28 @@ void add_signals(const std::string& name, const Signature& signature, std::size_
   }
 }
 
+/// A nested message's fields lie together: a group's ports must, though the schedule may put other
+/// components between them. Each name stands where its first port came.
+void keep_groups_together(std::vector<RowPort>& ports) {
+  std::map<std::string, std::size_t> first;  // of each prefix of a name
+  std::vector<std::pair<std::vector<std::size_t>, RowPort>> keyed;
+  for (RowPort& port : ports) {
+    std::vector<std::size_t> key;
+    for (std::size_t dot = port.name.find('.');; dot = port.name.find('.', dot + 1)) {
+      key.push_back(first.emplace(port.name.substr(0, dot), first.size()).first->second);
+      if (dot == std::string::npos) break;
+    }
+    keyed.emplace_back(std::move(key), std::move(port));
+  }
+  std::sort(keyed.begin(), keyed.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < ports.size(); ++i) ports[i] = std::move(keyed[i].second);
+}
+
 }  // namespace
 
 RowLayout::RowLayout(const WiredGraph& graph, const Selection& wanted) {
   for (const ScheduleItem& item : graph.schedule()) components_.push_back(item.component->name());
-  size_ = sizeof(RowHeader) + 8 * components_.size();
   for (const ScheduleItem& item : graph.schedule()) {
     const bool device = dynamic_cast<const Device*>(item.component) != nullptr;
     for (const OutputPort* output : item.component->outputs()) {
@@ -133,11 +151,15 @@ RowLayout::RowLayout(const WiredGraph& graph, const Selection& wanted) {
                    0,
                    recorded_size(*output->signature())};
       if (wanted && !device && !wanted(port.name)) continue;
-      port.row_offset = align(size_, port.size);
-      size_ = port.row_offset + port.size;
-      add_segment(port);
       ports_.push_back(std::move(port));
     }
+  }
+  keep_groups_together(ports_);
+  size_ = sizeof(RowHeader) + 8 * components_.size();
+  for (RowPort& port : ports_) {
+    port.row_offset = align(size_, port.size);
+    size_ = port.row_offset + port.size;
+    add_segment(port);
   }
 }
 

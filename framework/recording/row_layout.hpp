@@ -41,7 +41,8 @@ struct RowSignal {
 };
 
 /// Where each value stands in a row: header, the components' times, the ports in the order of the
-/// schedule, each aligned to its own size, which is how CDR lays it out.
+/// schedule with a group's together, each aligned to its own size, which is how CDR lays out the
+/// nested messages of the schema.
 class RowLayout {
  public:
   using Selection = std::function<bool(const std::string& port_name)>;
