@@ -34,7 +34,6 @@ struct Scheduling {
   }
 };
 
-#if !defined(__SANITIZE_THREAD__)  // it lets a child process start no threads
 /// What is missing for a process without any privilege, a line each.
 QStringList shortcomings_without_privileges(bool& ran) {
   int ends[2];
@@ -61,7 +60,6 @@ QStringList shortcomings_without_privileges(bool& ran) {
   ran = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   return QString::fromUtf8(text).split('\n', Qt::SkipEmptyParts);
 }
-#endif
 
 }  // namespace
 
@@ -125,8 +123,10 @@ class TestLoopThread : public QObject {
     if (all.filter("timer slack").isEmpty() && lacks_priority) QCOMPARE(inside.slack, 1);
   }
 
-#if !defined(__SANITIZE_THREAD__)
   void without_privileges_it_runs_and_says_what_is_missing_and_the_cure() {
+#if defined(__SANITIZE_THREAD__)
+    QSKIP("a child process may start no threads there");
+#endif
     bool ran = false;
     const QStringList missing = shortcomings_without_privileges(ran);
     QVERIFY(ran);
@@ -137,7 +137,6 @@ class TestLoopThread : public QObject {
     QCOMPARE(priority.size(), 1);
     QVERIFY(priority[0].contains("rtprio") && priority[0].contains("limits.conf"));
   }
-#endif
 };
 
 QTEST_APPLESS_MAIN(TestLoopThread)
