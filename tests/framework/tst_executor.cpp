@@ -187,16 +187,17 @@ class TestExecutor : public QObject {
 
   void an_edit_ramps_along_a_line_and_ends_exactly_at_its_target() {
     ExecutorRig rig;
-    rig.add("Puppet", "one");
+    // Numbers of which start + (target - start) is not the target.
+    rig.graph.set({rig.add("Puppet", "one"), "gain"}, literal_from_text("0.2 N"), {"test", 1});
     rig.wire();
-    rig.start({.schedule = {rig.edit("one", "gain", 0.3, 100)}});
+    rig.start({.schedule = {rig.edit("one", "gain", 0.9, 100)}});
     std::vector<double> gains;
     rig.get("one").law = [&](Puppet& self, const Tick&) { gains.push_back(*self.gain); };
     rig.run(400);
-    QCOMPARE(gains[99], 0.0);
+    QCOMPARE(gains[99], 0.2);
     for (std::size_t k = 0; k < 200; ++k)
-      QVERIFY(std::abs(gains[100 + k] - 0.3 * static_cast<double>(k + 1) / 200.0) < 1e-15);
-    for (std::size_t k = 299; k < 400; ++k) QVERIFY(gains[k] == 0.3);
+      QVERIFY(std::abs(gains[100 + k] - 0.2 - 0.7 * static_cast<double>(k + 1) / 200.0) < 1e-15);
+    for (std::size_t k = 299; k < 400; ++k) QVERIFY(gains[k] == 0.9);
   }
 
   void all_numbers_of_a_parameter_move_together() {
