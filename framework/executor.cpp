@@ -7,28 +7,6 @@
 
 namespace trocar {
 
-const char* to_string(Event::Kind kind) RT_SAFE {
-  switch (kind) {
-    case Event::Kind::started:
-      return "started";
-    case Event::Kind::ended:
-      return "ended";
-    case Event::Kind::fault:
-      return "fault";
-    case Event::Kind::edit:
-      return "edit";
-    case Event::Kind::edit_refused:
-      return "edit refused";
-    case Event::Kind::gate:
-      return "gate";
-    case Event::Kind::acknowledged:
-      return "acknowledged";
-    case Event::Kind::acknowledge_refused:
-      return "acknowledge refused";
-  }
-  return "unknown";
-}
-
 Executor::Executor(WiredGraph& graph, ExecutorOptions options)
     : graph_(graph), options_(std::move(options)) {
   std::stable_sort(options_.schedule.begin(), options_.schedule.end(),
@@ -47,6 +25,9 @@ Executor::Executor(WiredGraph& graph, ExecutorOptions options)
       continue;
     const Source& source = placement->velocity->sources().front();
     states_[i].force = reinterpret_cast<Vector3*>(const_cast<std::byte*>(placement->force->data()));
+    if (placement->moment != nullptr)
+      states_[i].moment =
+          reinterpret_cast<Vector3*>(const_cast<std::byte*>(placement->moment->data()));
     states_[i].velocity = reinterpret_cast<const Vector3*>(source.output->data() + source.offset);
   }
 }
@@ -125,15 +106,7 @@ void Executor::obey(const Command& command, const Tick& tick) RT_SAFE {
       for (Gate& gate : gates_) gate.request_engage();
       return;
     case Command::Kind::acknowledge:
-      for (Gate& gate : gates_) {
-        event.kind =
-            gate.acknowledge() ? Event::Kind::acknowledged : Event::Kind::acknowledge_refused;
-        event.source = gate.device().name().c_str();
-        send(event);
-      }
-      if (std::none_of(gates_.begin(), gates_.end(),
-                       [](const Gate& gate) { return gate.state() == Gate::State::tripped; }))
-        faults_.acknowledge();
+      acknowledge(event);
       return;
     case Command::Kind::stop_rendering:
       for (Gate& gate : gates_)
@@ -149,6 +122,25 @@ void Executor::obey(const Command& command, const Tick& tick) RT_SAFE {
   }
 }
 
+void Executor::acknowledge(Event event) RT_SAFE {
+  const auto tripped = [](const Gate& gate) { return gate.state() == Gate::State::tripped; };
+  const bool refused = !faults_.latched();
+  if (refused) event.detail = "no fault is latched";
+  for (Gate& gate : gates_) {
+    if (!tripped(gate)) continue;
+    const bool done = gate.acknowledge();
+    event.kind = done ? Event::Kind::acknowledged : Event::Kind::acknowledge_refused;
+    event.source = gate.device().name().c_str();
+    event.detail = "";
+    send(event);
+  }
+  if (*event.source == 0) {
+    event.kind = refused ? Event::Kind::acknowledge_refused : Event::Kind::acknowledged;
+    send(event);
+  }
+  if (std::none_of(gates_.begin(), gates_.end(), tripped)) faults_.acknowledge();
+}
+
 void Executor::step_all(const Tick& tick) RT_SAFE {
   if (!options_.timing) {
     for (std::size_t i = 0; i < states_.size(); ++i) step_one(i, tick);
@@ -156,18 +148,22 @@ void Executor::step_all(const Tick& tick) RT_SAFE {
   }
   std::int64_t before = monotonic_ns();
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    step_one(i, tick);
+    const bool stepped = step_one(i, tick);
     const std::int64_t after = monotonic_ns();
     times_[i] = after - before;
-    statistics_.components[i].add(times_[i]);
+    if (stepped) statistics_.components[i].add(times_[i]);
     before = after;
   }
 }
 
-void Executor::step_one(std::size_t i, const Tick& tick) RT_SAFE {
+bool Executor::step_one(std::size_t i, const Tick& tick) RT_SAFE {
   const ScheduleItem& item = graph_.schedule()[i];
   ItemState& state = states_[i];
-  if (tick.index < state.next_due) return;
+  if (state.failed) {
+    fade(state, tick);
+    return false;
+  }
+  if (tick.index < state.next_due) return false;
   // A slot that was skipped must not cost a slow component its turn.
   state.next_due = item.phase + ((tick.index - item.phase) / item.divider + 1) * item.divider;
   Tick own = tick;
@@ -178,12 +174,10 @@ void Executor::step_one(std::size_t i, const Tick& tick) RT_SAFE {
   else
     own.dt = period;
   state.last = tick.index;
-  if (!state.failed) {
-    item.component->step(own);
-    if (item.component->failure() != nullptr) give_up(i, tick);
-  }
-  if (!state.failed) return;
-  if (state.force != nullptr) *state.force = state.remainder.step(*state.velocity, own.dt);
+  if (state.force != nullptr) state.remainder.begin(*state.force);
+  item.component->step(own);
+  if (item.component->failure() != nullptr) give_up(i, tick);
+  return true;
 }
 
 void Executor::give_up(std::size_t i, const Tick& tick) RT_SAFE {
@@ -196,11 +190,24 @@ void Executor::give_up(std::size_t i, const Tick& tick) RT_SAFE {
                  .tick = tick.index,
                  .time_ns = tick.time_ns});
   if (state.force != nullptr) {
-    state.remainder.begin(*state.force);
+    state.last = tick.index - 1;  // it fades from now on
+    fade(state, tick);
     return;
   }
   effort_failed_ |= item.reaches_effort;
   hold_failed_ |= item.reaches_hold;
+  // A device that gave up reports no position, and without one nothing may be sent.
+  for (std::size_t d = 0; d < gates_.size(); ++d)
+    if (&gates_[d].device() == item.component) hold_failed_ |= 1u << d;
+}
+
+/// In every tick, also of a slow fixture: motion may turn at any time.
+void Executor::fade(ItemState& state, const Tick& tick) RT_SAFE {
+  if (state.force == nullptr) return;
+  const double elapsed = static_cast<double>(tick.index - state.last) * graph_.period();
+  state.last = tick.index;
+  *state.force = state.remainder.step(*state.velocity, elapsed);
+  if (state.moment != nullptr) *state.moment = {};
 }
 
 /// One pass over all numbers; only when it finds something, a search for whose it is.

@@ -67,13 +67,16 @@ class Executor {
     bool failed = false;
     ResistOnly remainder{};
     Vector3* force = nullptr;  // that it renders at a site
+    Vector3* moment = nullptr;
     const Vector3* velocity = nullptr;
   };
   void take_commands(const Tick& tick) RT_SAFE;
   void obey(const Command& command, const Tick& tick) RT_SAFE;
+  void acknowledge(Event event) RT_SAFE;
   void step_all(const Tick& tick) RT_SAFE;
-  void step_one(std::size_t i, const Tick& tick) RT_SAFE;
+  bool step_one(std::size_t i, const Tick& tick) RT_SAFE;
   void give_up(std::size_t i, const Tick& tick) RT_SAFE;
+  void fade(ItemState& state, const Tick& tick) RT_SAFE;
   void find_not_finite(const Tick& tick) RT_SAFE;
   void pass_gates(const Tick& tick) RT_SAFE;
   void report_changes(const Tick& tick) RT_SAFE;

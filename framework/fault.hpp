@@ -43,7 +43,7 @@ class FaultLatch {
   /// A cause that a component raised already, and that nobody acknowledged, is kept once.
   void raise(const Fault& fault) RT_SAFE;
   /// What was raised so far is history; it stays in the list.
-  void acknowledge() RT_SAFE { acknowledged_ = size(); }
+  void acknowledge() RT_SAFE { acknowledged_ = count_; }
   bool latched() const RT_SAFE { return count_ > acknowledged_; }
   std::size_t size() const RT_SAFE { return count_ < capacity ? count_ : capacity; }
   std::size_t raised() const RT_SAFE { return count_; }

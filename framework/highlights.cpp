@@ -49,7 +49,7 @@ void Highlights::row(std::span<const std::byte> row) {
     one.last = vector_at(row, one.row_offset);
     latest_.values.push_back(one.last);
     const double size = one.last.eigen().norm();
-    if (size <= one.peak) continue;
+    if (!(size > one.peak)) continue;  // nor for a NaN
     one.peak = size;
     one.peak_time = latest_.time;
     one.at_peak = one.last;

@@ -39,7 +39,9 @@ class Scheduler {
                                             suggestion(edit.key, graph_.parameter_keys())));
       return;
     }
-    for (ParameterBase* parameter : wired_.followers(graph_, {*node, name})) add(edit, *parameter);
+    const std::vector<ParameterBase*> moved = wired_.followers(graph_, {*node, name});
+    if (moved.empty()) refuse(edit, not_live);
+    for (ParameterBase* parameter : moved) add(edit, *parameter);
   }
   void add(const Command& command) { commands_.push_back(command); }
   std::vector<Command> take() {
@@ -50,7 +52,7 @@ class Scheduler {
  private:
   void add(const Edit& edit, ParameterBase& parameter) {
     std::string wrong;
-    if (!parameter.live() || parameter.numbers().empty()) wrong = "cannot be edited while it runs";
+    if (!parameter.live() || parameter.numbers().empty()) wrong = not_live;
     Command command{.kind = Command::Kind::set_parameter,
                     .not_before = std::llround(edit.at / wired_.period()),
                     .parameter = &parameter,
@@ -61,11 +63,16 @@ class Scheduler {
       for (const ParameterBase* own : item.component->parameters())
         if (own == &parameter) command.owner = item.component->name().c_str();
     if (!wrong.empty())
-      findings_.add(edit.where, fmt::format("{} = {}: {}", edit.key, edit.value.text(), wrong));
+      refuse(edit, wrong);
     else
       commands_.push_back(command);
   }
 
+  void refuse(const Edit& edit, const std::string& why) {
+    findings_.add(edit.where, fmt::format("{} = {}: {}", edit.key, edit.value.text(), why));
+  }
+
+  static constexpr const char* not_live = "cannot be edited while it runs";
   const Graph& graph_;
   const WiredGraph& wired_;
   Findings findings_;
@@ -114,7 +121,6 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   std::vector<RowSink*> sinks = options.sinks;
   std::shared_ptr<RowStore> rows;
   if (options.keep_rows) sinks.push_back((rows = std::make_shared<RowStore>()).get());
-  for (RowSink* sink : sinks) sink->begin(layout, *wired);
 
   ExecutorOptions executor_options{
       .schedule = scheduler.take(), .records = &ring, .layout = &layout, .stop = options.stop};
@@ -126,7 +132,7 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   else
     clock = std::make_unique<PeriodicClock>();
 
-  RowPump pump(ring, sinks);
+  RowPump pump(ring, sinks, layout, *wired);
   const std::int64_t begin = monotonic_ns();
   const Shortcomings shortcomings =
       run_on_loop_thread({.realtime = !clock->simulated()}, [&] { executor.run(*clock); });

@@ -98,23 +98,29 @@ const SessionRun& Session::run(RunOptions wanted) {
 }
 
 void Session::publish(std::string name, Literal row) {
-  if (log_) log_->publish(name, literal_json(row));
+  if (log_) try_log([&] { log_->publish(name, literal_json(row)); });
   published_.push_back({std::move(name), std::move(row)});
 }
 
 void Session::finish() {
+  if (!published_.empty()) try_log([&] { open_log(); });
+  if (log_) try_log([&] { log_->close(); });
+}
+
+/// A full disk must not end an experiment, and one message is enough.
+void Session::try_log(const std::function<void()>& write) {
   try {
-    if (!published_.empty()) open_log();
-    if (log_) log_->close();
-  } catch (const std::exception& error) {
-    troubles_.emplace_back(error.what());
+    write();
+  } catch (const std::runtime_error& error) {
+    if (std::find(troubles_.begin(), troubles_.end(), error.what()) == troubles_.end())
+      troubles_.emplace_back(error.what());
   }
 }
 
 bool Session::sound() const {
   return troubles_.empty() && std::all_of(runs_.begin(), runs_.end(), [](const auto& run) {
-           return run->result.faults.empty() && run->result.lost.empty() &&
-                  run->result.loop.rows_lost == 0;
+           const RunResult& result = run->result;
+           return result.faults.empty() && result.lost.empty() && result.loop.rows_lost == 0;
          });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,6 +67,7 @@ class Session {
 
  private:
   void open_log();
+  void try_log(const std::function<void()>& write);
   RowLayout::Selection selection() const;
 
   SessionOptions options_;

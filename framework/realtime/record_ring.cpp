@@ -11,12 +11,13 @@ namespace trocar {
 RecordRing::RecordRing(std::size_t capacity) : buffer_(std::bit_ceil(capacity) / 8) {}
 
 std::span<std::byte> RecordRing::try_begin(std::size_t size) RT_SAFE {
+  if (!can_ever_fit(size)) return {};
   std::size_t begin = written_.load(std::memory_order_relaxed);
   const std::size_t read = read_.load(std::memory_order_acquire);
   const std::size_t need = padded(size);
   const std::size_t to_end = capacity() - index(begin);
   const std::size_t skipped = need > to_end ? to_end : 0;
-  if (need > capacity() || begin + skipped + need - read > capacity()) return {};
+  if (begin + skipped + need - read > capacity()) return {};
   if (skipped > 0) {
     const Header marker{wrap, 0};
     std::memcpy(at(begin), &marker, sizeof marker);
@@ -28,7 +29,7 @@ std::span<std::byte> RecordRing::try_begin(std::size_t size) RT_SAFE {
 }
 
 std::span<std::byte> RecordRing::begin(std::size_t size) {
-  while (!abandoned_.raised()) {
+  while (can_ever_fit(size) && !abandoned_.raised()) {
     if (const std::span<std::byte> room = try_begin(size); !room.empty()) return room;
     std::this_thread::sleep_for(std::chrono::microseconds(50));
   }

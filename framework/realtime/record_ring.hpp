@@ -13,7 +13,8 @@
 namespace trocar {
 
 /// A ring of records of any size between one writer and one reader; both wait-free. A record is
-/// whole or not there: when it does not fit, try_begin() gives nothing and the writer decides.
+/// whole or not there: when it does not fit, try_begin() gives nothing and the writer decides. One
+/// that with its head of 8 bytes is larger than half the ring never fits, nor does one of no bytes.
 class RecordRing {
  public:
   /// @param capacity [bytes], rounded up to a power of two
@@ -22,7 +23,7 @@ class RecordRing {
   /// Room for a record of `size` bytes, contiguous, 8-aligned; empty when there is none.
   std::span<std::byte> try_begin(std::size_t size) RT_SAFE;
   /// The same, but waits until the reader has made room; for virtual time, which nobody is behind.
-  /// Empty once the reader is gone.
+  /// Empty once the reader is gone, and at once for what never fits.
   std::span<std::byte> begin(std::size_t size);
   /// Hands over what try_begin() gave.
   void commit(std::uint32_t kind) RT_SAFE;
@@ -44,6 +45,8 @@ class RecordRing {
   };
   static constexpr std::uint32_t wrap = 0xffffffff;
   static std::size_t padded(std::size_t size) { return sizeof(Header) + (size + 7) / 8 * 8; }
+  /// A record at the end goes round it and leaves up to its own size unused.
+  bool can_ever_fit(std::size_t size) const { return size > 0 && padded(size) <= capacity() / 2; }
   std::size_t index(std::size_t position) const { return position & (buffer_.size() * 8 - 1); }
   std::byte* at(std::size_t position) {
     return reinterpret_cast<std::byte*>(buffer_.data()) + index(position);

@@ -38,14 +38,43 @@ std::string camel_case(std::string_view name) {
   return result;
 }
 
+/// `wanted`, or with the first number behind it that makes it free.
+template <typename IsTaken>
+std::string free_name(const std::string& wanted, const char* joint, const IsTaken& is_taken) {
+  std::string name = wanted;
+  for (int i = 2; is_taken(name); ++i) name = wanted + joint + std::to_string(i);
+  return name;
+}
+
+/// As ROS 2 takes it: small letters, digits and single underscores inside.
+std::string field_name(std::string_view name) {
+  std::string result;
+  for (const char c : name) {
+    const bool separates = c == '_' || c == '.';
+    if (separates && (result.empty() || result.back() == '_')) continue;
+    result += separates ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  while (result.ends_with('_')) result.pop_back();
+  return result;
+}
+
+/// Adds a field under a name that no other field of the message has.
+void add_field(Ros2Message& message, std::string_view name, std::string type, std::string comment) {
+  const auto is_taken = [&](const std::string& other) {
+    return std::any_of(message.fields.begin(), message.fields.end(),
+                       [&](const Ros2Field& field) { return field.name == other; });
+  };
+  message.fields.push_back(
+      {free_name(field_name(name), "_", is_taken), std::move(type), 0, std::move(comment)});
+}
+
 /// Gathers the messages of a row: one for each component and group, and the types that they use.
 class SchemaBuilder {
  public:
-  explicit SchemaBuilder(const std::vector<RowPort>& ports) {
-    messages_.push_back({"trocar/Row", {}, {}});
+  SchemaBuilder(std::vector<Ros2Field> head, const std::vector<RowPort>& ports) {
+    messages_.push_back({"trocar/Row", std::move(head), {}});
     for (const RowPort& port : ports) add(port);
   }
-  Ros2Message& row() { return messages_.front(); }
   std::vector<Ros2Message> take() { return std::move(messages_); }
 
  private:
@@ -62,8 +91,8 @@ class SchemaBuilder {
     for (std::size_t i = 0; i < port.labels.size(); ++i)
       comment += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, port.labels[i]);
     const std::string type = type_name(port.signature);
-    messages_[parent].fields.push_back(
-        {std::string(parts.back()), type, 0, comment + (comment.empty() ? "" : " ") + port.doc});
+    add_field(messages_[parent], parts.back(), type,
+              comment + (comment.empty() ? "" : " ") + port.doc);
   }
 
   static std::string unit_list(const Signature& signature) {
@@ -76,8 +105,13 @@ class SchemaBuilder {
   std::size_t node(std::size_t parent, const std::string& name, const std::string& path) {
     const auto [found, is_new] = nodes_.emplace(path, messages_.size());
     if (is_new) {
-      const std::string message = "trocar/Node" + camel_case(path);
-      messages_[parent].fields.push_back({name, message, 0, {}});
+      // "a.b" and "a_b" read alike in CamelCase.
+      const std::string message =
+          free_name("trocar/Node" + camel_case(path), "N", [&](const std::string& other) {
+            return std::any_of(messages_.begin(), messages_.end(),
+                               [&](const Ros2Message& one) { return one.name == other; });
+          });
+      add_field(messages_[parent], name, message, {});
       messages_.push_back({message, {}, {}});
     }
     return found->second;
@@ -191,26 +225,19 @@ std::vector<RowSignal> RowLayout::signals() const {
 }
 
 std::vector<Ros2Message> RowLayout::messages() const {
-  SchemaBuilder builder(ports_);
   std::vector<Ros2Field> head = {
       {"tick", "int64", 0, "number of the slot"},
       {"time", "int64", 0, "[ns] of the slot since the start"},
       {"lateness", "int64", 0, "[ns] of the tick's beginning; 0 in virtual time"},
       {"duration", "int64", 0, "[ns] of the tick before; 0 in virtual time"},
-      {"flags", "int64", 0, "1 fault latched, 2 rendering, 4 slots skipped before this one"},
-      {"step_times", "trocar/StepTimes", 0,
-       "[ns] of each component in this tick; 0 in virtual time"}};
+      {"flags", "int64", 0, "1 fault latched, 2 rendering, 4 slots skipped before this one"}};
   Ros2Message times{"trocar/StepTimes", {}, {}};
-  for (const std::string& component : components_) {
-    std::string flat = component;
-    for (char& c : flat)
-      if (c == '.') c = '_';
-    times.fields.push_back({flat, "int64", 0, {}});
-  }
-  std::vector<Ros2Field>& fields = builder.row().fields;
-  fields.insert(fields.begin(), head.begin(), head.end());
-  std::vector<Ros2Message> messages = builder.take();
-  messages.push_back(std::move(times));
+  for (const std::string& component : components_) add_field(times, component, "int64", {});
+  if (!components_.empty())  // a message needs a field
+    head.push_back(
+        {"step_times", times.name, 0, "[ns] of each component in this tick; 0 in virtual time"});
+  std::vector<Ros2Message> messages = SchemaBuilder(std::move(head), ports_).take();
+  if (!components_.empty()) messages.push_back(std::move(times));
   return messages;
 }
 

@@ -53,7 +53,8 @@ class RowLayout {
   std::size_t size() const { return size_; }
   const std::vector<RowPort>& ports() const { return ports_; }
   std::vector<RowSignal> signals() const;
-  /// The row as messages of a `ros2msg` schema, the row itself first.
+  /// The row as messages of a `ros2msg` schema, the row itself first. Names that ROS 2 does not
+  /// take, or that stand twice, are brought to the nearest that does.
   std::vector<Ros2Message> messages() const;
 
   /// @param times [ns] of each component in the order of the schedule

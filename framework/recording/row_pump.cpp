@@ -18,19 +18,25 @@ double number_at(std::span<const std::byte> row, std::size_t offset) {
   return number;
 }
 
-RowPump::RowPump(RecordRing& ring, std::vector<RowSink*> sinks)
-    : ring_(ring), sinks_(std::move(sinks)), poller_([this] { return drain(); }) {}
+RowPump::RowPump(RecordRing& ring, std::vector<RowSink*> sinks, const RowLayout& layout,
+                 const WiredGraph& graph)
+    : ring_(ring), sinks_(std::move(sinks)), poller_([this] { return drain(); }) {
+  // The poller leaves the sinks alone until the ring has something.
+  for_each_sink([&](RowSink& sink) { sink.begin(layout, graph); });
+}
 
 template <typename Deliver>
 void RowPump::for_each_sink(const Deliver& deliver) {
   for (std::size_t i = 0; i < sinks_.size();) {
     try {
-      deliver(*sinks_[i]);
-      ++i;
+      deliver(*sinks_[i++]);
+      continue;
     } catch (const std::exception& error) {
       failures_.emplace_back(error.what());
-      sinks_.erase(sinks_.begin() + static_cast<std::ptrdiff_t>(i));
+    } catch (...) {  // or nobody would empty the ring any more
+      failures_.emplace_back("a reader of rows failed and did not say why");
     }
+    sinks_.erase(sinks_.begin() + static_cast<std::ptrdiff_t>(--i));
   }
 }
 

@@ -14,7 +14,9 @@ namespace trocar {
 /// throws is left out from then on; the others and the loop go on.
 class RowPump {
  public:
-  RowPump(RecordRing& ring, std::vector<RowSink*> sinks);
+  /// Before the loop begins: begins the sinks.
+  RowPump(RecordRing& ring, std::vector<RowSink*> sinks, const RowLayout& layout,
+          const WiredGraph& graph);
 
   /// When the loop has ended: carries the rest and ends the sinks.
   /// @return what went wrong in sinks

@@ -41,6 +41,17 @@ class TestFault : public QObject {
     QCOMPARE(std::string(latch[0].component), std::string("0"));
   }
 
+  void faults_beyond_its_size_can_be_acknowledged() {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < FaultLatch::capacity + 5; ++i) names.push_back(std::to_string(i));
+    FaultLatch latch;
+    for (const std::string& name : names) latch.raise({.component = name.c_str()});
+    latch.acknowledge();
+    QVERIFY(!latch.latched());
+    latch.raise({.component = "one more"});
+    QVERIFY(latch.latched());
+  }
+
   void every_cause_has_a_name_of_its_own() {
     std::set<std::string> names;
     for (int i = 0; i <= static_cast<int>(FaultCause::operator_stop); ++i)

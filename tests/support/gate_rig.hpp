@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+
 #include "framework/gate.hpp"
 
 namespace trocar::test {
@@ -43,7 +45,9 @@ class TestDevice final : public Device {
   void configure(const Setup&) override {
     if (*declares_limits) declare_limits();
   }
-  void step(const Tick&) RT_SAFE override {}
+  std::function<void(TestDevice&, const Tick&)> law = [](TestDevice&, const Tick&) {};
+  void step(const Tick& tick) RT_SAFE override { law(*this, tick); }
+  using Component::fail;
 
   void declare_limits() {
     declared.axes = 3;

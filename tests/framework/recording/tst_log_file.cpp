@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// Qt's word for one of its own is the framework's too.
+#define QT_NO_KEYWORDS
+#include "framework/recording/log_file.hpp"
+
+#include <sys/resource.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+#include <map>
+
+#include "components/register.hpp"
+#include "framework/recording/mcap_reader.hpp"
+#include "framework/recording/ros2_decode.hpp"
+#include "tests/support/mcap_records.hpp"
+#include "tests/support/run_rig.hpp"
+
+using namespace trocar;
+using test::edit_of;
+using test::RunRig;
+using test::TestSink;
+
+namespace {
+
+/// All messages of a topic: leaf → value, strings as text.
+struct Topic {
+  std::vector<std::map<std::string, double>> numbers;
+  std::vector<std::map<std::string, std::string>> texts;
+  std::vector<std::uint64_t> times;  // [ns]
+
+  Topic(const McapReader& log, std::string_view name) {
+    const McapChannel* channel = log.channel(name);
+    if (channel == nullptr) return;
+    const McapSchema& schema = log.schemas().at(channel->schema_id);
+    const Ros2Decoder decoder(schema.name, schema.data);
+    log.messages([&](const McapMessage& message) {
+      if (message.channel != channel->id) return;
+      times.push_back(message.log_time_ns);
+      numbers.emplace_back();
+      texts.emplace_back();
+      decoder.visit(message.payload, [&](const Ros2Leaf& leaf, const Ros2Value& value) {
+        if (const auto* text = std::get_if<std::string_view>(&value))
+          texts.back()[leaf.path] = *text;
+        else
+          numbers.back()[leaf.path] = as_double(value);
+      });
+    });
+  }
+};
+
+/// A limit of file size, so that a disk is full where a test wants it.
+class SizeLimit {
+ public:
+  explicit SizeLimit(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~SizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+  SizeLimit(const SizeLimit&) = delete;
+  SizeLimit& operator=(const SizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+QByteArray log_of_the_laparoscope(const std::string& path, std::uint64_t seed) {
+  Registry types;
+  register_components(types);
+  Graph graph(types);
+  graph.overrides["laparoscope.hand"] = {literal_from_text("push"), {"test", 1}};
+  graph.build_group(graph.add("Laparoscope", "", {"test", 1}).value());
+  LogFile log(path, 0);
+  Recorder recorder(log, {});
+  RunOptions options = test::wanted(0.7);
+  options.wiring.seed = seed;
+  options.sinks = {&recorder};
+  run(graph, options);
+  log.close();
+  return test::read_bytes(path);
+}
+
+}  // namespace
+
+class TestLogFile : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void every_value_of_every_row_reads_back() {
+    RunRig rig;
+    LogFile log(path(), 0);
+    Recorder recorder(log, {});
+    const RunResult result = rig.run(0.1, {&recorder});
+    log.close();
+    const McapReader reader(path());
+    reader.verify();
+    const Topic rows(reader, "/main");
+    QCOMPARE(rows.numbers.size(), std::size_t{100});
+    for (const RowSignal& signal : result.rows->signals()) {
+      const std::vector<double> column = result.rows->column(signal);
+      for (std::size_t i = 0; i < column.size(); ++i)
+        QVERIFY2(rows.numbers[i].at(signal.name) == column[i], signal.name.c_str());
+    }
+    for (std::size_t i = 0; i < 100; ++i) {
+      QCOMPARE(rows.times[i], i * 1'000'000);
+      QCOMPARE(rows.numbers[i].at("tick"), static_cast<double>(i));
+      QCOMPARE(rows.numbers[i].at("meter.value"), 2.0 + static_cast<double>(i));
+      QCOMPARE(rows.numbers[i].at("meter.odd"), static_cast<double>(i % 2));
+    }
+  }
+
+  void events_read_back() {
+    RunRig rig;
+    rig.graph.set({rig.meter, "broken_from"}, literal_from_text("20"), {"test", 3});
+    LogFile log(path(), 0);
+    Recorder recorder(log, {});
+    rig.run(0.05, {&recorder}, {edit_of("meter.gain", "4 N", 0.01)});
+    log.close();
+    const Topic events(McapReader(path()), "/events");
+    QStringList told;
+    for (std::size_t i = 0; i < events.texts.size(); ++i)
+      told += QString("%1 %2 %3 %4")
+                  .arg(events.numbers[i].at("tick"))
+                  .arg(events.texts[i].at("kind").c_str(), events.texts[i].at("source").c_str(),
+                       events.texts[i].at("detail").c_str())
+                  .trimmed();
+    QCOMPARE(told, (QStringList{"0 started", "10 edit meter gain", "20 fault meter not finite",
+                                "49 ended"}));
+    QCOMPARE(events.numbers[1].at("value"), 4.0);
+    QCOMPARE(events.times[2], std::uint64_t{20'000'000});
+  }
+
+  void two_runs_have_topics_of_their_own_and_time_goes_on() {
+    RunRig rig;
+    LogFile log(path(), 1'000);
+    for (int i = 0; i < 2; ++i) {
+      Recorder recorder(log, {});
+      rig.run(0.02, {&recorder});
+      log.publish("step", i == 0 ? R"({"force":1})" : R"({"force":2})");
+    }
+    log.close();
+    const McapReader reader(path());
+    reader.verify();
+    const Topic first(reader, "/main"), second(reader, "/run2/main");
+    QCOMPARE(first.numbers.size(), std::size_t{20});
+    QCOMPARE(second.numbers.size(), std::size_t{20});
+    QCOMPARE(Topic(reader, "/run2/events").texts.size(), std::size_t{2});
+    QCOMPARE(first.times.front(), std::uint64_t{1'000});
+    QVERIFY(second.times.front() >= first.times.back());
+    const Topic published(reader, "/published");
+    QCOMPARE(published.texts.size(), std::size_t{2});
+    QCOMPARE(published.texts[1].at("name"), std::string("step"));
+    QCOMPARE(published.texts[1].at("json"), std::string(R"({"force":2})"));
+    std::uint64_t last = 0;
+    reader.messages([&](const McapMessage& message) {
+      QVERIFY(message.log_time_ns >= last);
+      last = message.log_time_ns;
+    });
+  }
+
+  void a_selection_narrows_the_file_but_keeps_devices_and_events() {
+    RunRig rig;
+    LogFile log(path(), 0);
+    Recorder recorder(log, [](const std::string& port) { return port == "meter.count"; });
+    rig.run(0.02, {&recorder});
+    log.close();
+    const McapReader reader(path());
+    const Topic rows(reader, "/main");
+    QCOMPARE(rows.numbers[7].at("meter.count"), -7.0);
+    QVERIFY(!rows.numbers[7].contains("meter.value"));
+    QVERIFY(rows.numbers[7].contains("arm.effort_sent.axis1"));
+    QCOMPARE(rows.numbers[7].at("tick"), 7.0);
+    QCOMPARE(Topic(reader, "/events").texts.size(), std::size_t{2});
+  }
+
+  void attachments_read_back() {
+    {
+      LogFile log(path(), 0);
+      log.attach("wall.lua", "text/x-lua", "return 1");
+      log.close();
+    }
+    const McapReader reader(path());
+    QCOMPARE(reader.attachments().size(), std::size_t{1});
+    QCOMPARE(reader.read(reader.attachments()[0]).size(), std::size_t{8});
+  }
+
+  void a_path_that_takes_nothing_is_refused_with_the_reason_data() {
+    QTest::addColumn<QString>("target");
+    QTest::newRow("a disk that is full") << "/dev/full";
+    QTest::newRow("a folder that is not there") << "/nowhere/at/all.mcap";
+  }
+  void a_path_that_takes_nothing_is_refused_with_the_reason() {
+    QFETCH(QString, target);
+    try {
+      LogFile log(target.toStdString(), 0);
+      Recorder recorder(log, {});
+      RunRig().run(0.01, {&recorder});
+      log.close();
+      QFAIL("nothing was said");
+    } catch (const std::runtime_error& error) {
+      QVERIFY2(QString(error.what()).contains(target), error.what());
+    }
+  }
+
+  void a_disk_that_fills_up_is_reported_and_the_run_goes_on() {
+    RunRig rig;
+    TestSink other;
+    RunResult result;
+    LogFile log(path(), 0);
+    {
+      const SizeLimit limit(600'000);
+      for (int i = 0; i < 2; ++i) {  // the second begins on a disk that is full
+        Recorder recorder(log, {});
+        RunOptions options = test::wanted(5.0);
+        options.keep_rows = false;  // its file would meet the limit too
+        options.sinks = {&recorder, &other};
+        result = run(rig.graph, options);
+        QCOMPARE(result.lost.size(), std::size_t{1});
+        QVERIFY(QString::fromStdString(result.lost[0]).contains("ulimit"));
+        QCOMPARE(result.loop.ticks, std::int64_t{5000});
+      }
+      QCOMPARE(other.rows, 10'000);
+      QVERIFY_EXCEPTION_THROWN(log.close(), std::runtime_error);
+    }
+    const McapReader reader(path());  // what was written before stays readable
+    QVERIFY(!reader.complete());
+    QVERIFY(Topic(reader, "/main").numbers.size() >= 500);
+  }
+
+  void the_same_seed_writes_the_same_bytes_and_another_does_not() {
+    const QByteArray first = log_of_the_laparoscope(path(), 1);
+    QVERIFY(first.size() > 100'000);
+    QVERIFY(first == log_of_the_laparoscope(path(), 1));
+    QVERIFY(first != log_of_the_laparoscope(path(), 2));
+  }
+
+ private:
+  std::string path() const { return folder_.filePath("log.mcap").toStdString(); }
+  QTemporaryDir folder_;
+};
+
+QTEST_APPLESS_MAIN(TestLogFile)
+#include "tst_log_file.moc"
