@@ -42,6 +42,7 @@ SessionOptions session_options(const RunArguments& arguments) {
   options.seed = arguments.script.seed;
   if (!arguments.record.empty()) options.record = arguments.record;
   options.stop = &interrupted;
+  options.print_to_stderr = arguments.json == "-";
   return options;
 }
 

@@ -31,6 +31,8 @@ class Findings {
   void add(const Where& where, std::string message);
   bool empty() const { return all_.empty(); }
   const std::vector<Finding>& all() const { return all_; }
+  /// Each file's in the order of its lines, files in the order in which they appear.
+  Findings by_line() const;
   std::string text() const;
 
  private:
@@ -39,7 +41,8 @@ class Findings {
 
 /// Thrown by those who need a sound graph.
 struct BrokenGraph : std::runtime_error {
-  explicit BrokenGraph(const Findings& all) : std::runtime_error(all.text()), findings(all) {}
+  explicit BrokenGraph(const Findings& all)
+      : std::runtime_error(all.by_line().text()), findings(all.by_line()) {}
   Findings findings;
 };
 

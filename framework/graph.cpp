@@ -44,7 +44,10 @@ std::string Graph::rename(NodeId id, std::string_view name, std::string_view sco
         "letter",
         name);
   std::string full = scope.empty() ? std::string(name) : fmt::format("{}.{}", scope, name);
+  if (full == nodes_[id].name) return "";
   if (find(full)) return fmt::format("\"{}\" is the name of something else already", full);
+  by_name_.erase(nodes_[id].name);
+  by_name_.emplace(full, id);
   nodes_[id].name = std::move(full);
   if (nodes_[id].component) nodes_[id].component->set_name(nodes_[id].name);
   apply_overrides(id);

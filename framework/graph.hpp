@@ -71,8 +71,6 @@ class Graph {
     double rate = 0.0;                       // [Hz]; 0 is the thread's
     std::int64_t phase = 0;                  // [ticks of the thread]
     std::map<std::string, Where, std::less<>> set_at{};  // where each parameter was set
-    bool excused = false;  // it was given something that does not exist: that is reported, what
-                           // it lacks for it is not
 
     const ParameterSet& settings() const;
     bool is_group() const { return group != nullptr; }

@@ -3,55 +3,107 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "framework/text.hpp"
 
 namespace trocar {
 namespace {
 
-/// A length as people think of it, forces as they are.
+constexpr std::size_t widest = 80;  // [columns] of a terminal
+constexpr std::size_t number_width = 8;
+
+/// Lengths are in millimetres to people.
 double shown(const Highlight& one, double value) {
   return one.is_force ? value : 1e3 * value;
 }
-const char* shown_unit(const Highlight& one) {
-  return one.is_force ? "N" : "mm";
+
+/// "laparoscope.tool.tip" is the tip to whoever looks, "wall.force" the wall's.
+std::string title(const Highlight& one) {
+  const std::size_t dot = std::min(one.name.rfind('.'), one.name.size());
+  return one.is_force ? fmt::format("force of {} [N]", one.name.substr(0, dot))
+                      : fmt::format("{} [mm]", one.name.substr(std::min(dot + 1, one.name.size())));
 }
 
-/// "laparoscope.tool.tip" is the tip to whoever looks.
-std::string short_name(const Highlight& one) {
-  if (one.is_force) return one.name;
-  const std::size_t dot = one.name.rfind('.');
-  return dot == std::string::npos ? one.name : one.name.substr(dot + 1);
+std::string number_text(const Highlight& one, double value) {
+  const double rounded = std::round(shown(one, value) * 100.0) / 100.0;
+  return fmt::format("{:.2f}", rounded == 0.0 ? 0.0 : rounded);  // no "-0.00"
 }
 
-std::string vector_text(const Highlight& one, const Vector3& v) {
-  const auto clean = [&](double value) {
-    const double rounded = std::round(shown(one, value) * 100.0) / 100.0;
-    return rounded == 0.0 ? 0.0 : rounded;  // no "-0.00"
-  };
-  return fmt::format("{:8.2f}{:8.2f}{:8.2f}", clean(v.x), clean(v.y), clean(v.z));
+/// The columns of one vector in the table of moments: only axes that show something.
+struct Block {
+  std::size_t vector = 0;
+  std::vector<std::pair<char, double Vector3::*>> axes{};
+  std::size_t width = 0;
+};
+
+Block block_of(const Highlights& highlights, std::size_t vector,
+               const std::vector<Highlights::Moment>& moments) {
+  const Highlight& one = highlights.all()[vector];
+  Block block{.vector = vector};
+  for (const auto& axis : {std::pair('x', &Vector3::x), {'y', &Vector3::y}, {'z', &Vector3::z}})
+    if (std::any_of(moments.begin(), moments.end(), [&](const Highlights::Moment& moment) {
+          return number_text(one, moment.values[vector].*axis.second) != "0.00";
+        }))
+      block.axes.emplace_back(axis);
+  block.width = std::max(title(one).size() + 3, block.axes.size() * number_width);
+  return block;
+}
+
+/// As many vectors as fit a terminal.
+std::vector<Block> blocks_of(const Highlights& highlights,
+                             const std::vector<Highlights::Moment>& moments) {
+  std::vector<Block> blocks;
+  std::size_t width = 2 + number_width;
+  for (std::size_t i = 0; i < highlights.all().size(); ++i) {
+    Block block = block_of(highlights, i, moments);
+    if (block.axes.empty() || width + block.width > widest) continue;
+    width += block.width;
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
 }
 
 std::string moments_text(const Highlights& highlights) {
-  if (highlights.all().empty()) return "";
-  std::string text = fmt::format("  {:>8}", "time");
-  std::string under = fmt::format("  {:>8}", "[s]");
+  const std::vector<Highlights::Moment> moments = highlights.moments();
+  const std::vector<Block> blocks = blocks_of(highlights, moments);
+  if (blocks.empty()) return "";
+  std::string text = fmt::format("\n  {:>{}}", "time [s]", number_width);
+  for (const Block& block : blocks)
+    text += fmt::format("{:>{}}", title(highlights.all()[block.vector]), block.width);
+  text += fmt::format("\n  {:>{}}", "", number_width);
+  for (const Block& block : blocks) {
+    std::string axes;
+    for (const auto& axis : block.axes) axes += fmt::format("{:>{}}", axis.first, number_width);
+    text += fmt::format("{:>{}}", axes, block.width);
+  }
+  for (const Highlights::Moment& moment : moments) {
+    text += fmt::format("\n  {:{}.2f}", moment.time, number_width);
+    for (const Block& block : blocks) {
+      const Highlight& one = highlights.all()[block.vector];
+      std::string numbers;
+      for (const auto& axis : block.axes)
+        numbers += fmt::format("{:>{}}", number_text(one, moment.values[block.vector].*axis.second),
+                               number_width);
+      text += fmt::format("{:>{}}", numbers, block.width);
+    }
+  }
+  return text + "\n\n";
+}
+
+std::string peaks_text(const Highlights& highlights) {
+  std::string text;
   for (const Highlight& one : highlights.all()) {
-    text += fmt::format("   {:<24}", short_name(one));
-    under += fmt::format("   {:>7}x{:>7}y{:>6}z  ", fmt::format("[{}] ", shown_unit(one)), "", "");
+    if (!one.is_force) continue;
+    const std::string name = one.name.substr(0, one.name.rfind('.'));
+    if (one.peak == 0.0)
+      text += fmt::format("  {} never pushed\n", name);
+    else
+      text += fmt::format("  {} pushed hardest at {:.2f} s, with {:.2f} N; at the end with {} N\n",
+                          name, one.peak_time, one.peak, number_text(one, one.last.eigen().norm()));
   }
-  text += "\n" + under + "\n";
-  for (const Highlights::Moment& moment : highlights.moments()) {
-    text += fmt::format("  {:8.2f}", moment.time);
-    for (std::size_t i = 0; i < highlights.all().size(); ++i)
-      text += "   " + vector_text(highlights.all()[i], moment.values[i]);
-    text += "\n";
-  }
-  for (const Highlight& one : highlights.all())
-    if (one.is_force)
-      text += fmt::format("  largest {}: {:.2f} N at {:.2f} s, at the end {:.2f} N\n", one.name,
-                          one.peak, one.peak_time, one.last.eigen().norm());
   return text;
 }
 
@@ -70,37 +122,106 @@ std::string timing_text(const RunResult& result) {
   return text;
 }
 
-std::string run_text(const SessionRun& run) {
-  const RunResult& result = run.result;
-  std::string text = fmt::format(
-      "{}{} ticks at {:.6g} Hz: {:.3f} s of {} time in {:.2f} s ({:.1f} × real time)\n",
-      result.interrupted ? "stopped by the operator after " : "ran ", result.loop.ticks,
-      result.rate, result.duration, result.clock == ClockKind::simulated ? "virtual" : "real",
-      result.wall_time, result.wall_time > 0.0 ? result.duration / result.wall_time : 0.0);
-  text += moments_text(run.highlights);
-  text += timing_text(result);
-  text += result.faults.empty()
-              ? "  no faults\n"
-              : fmt::format("  FAULT, first cause: {}\n", result.faults[0].text());
-  for (std::size_t i = 1; i < result.faults.size(); ++i)
-    text += fmt::format("  then: {}\n", result.faults[i].text());
+std::string faults_text(const RunResult& result) {
+  std::string text = result.faults.empty() ? "  no faults\n" : "";
+  for (std::size_t i = 0; i < result.faults.size(); ++i)
+    text +=
+        fmt::format("  {}: {}\n", i == 0 ? "FAULT, first cause" : "then", result.faults[i].text());
   for (const std::string& shortcoming : result.shortcomings)
     text += fmt::format("  not real-time: {}\n", shortcoming);
   for (const std::string& lost : result.lost) text += fmt::format("  LOST: {}\n", lost);
   return text;
 }
 
+std::string run_text(const SessionRun& run) {
+  const RunResult& result = run.result;
+  return fmt::format(
+             "{}{} ticks at {:.6g} Hz: {:.3f} s of {} time in {:.2f} s ({:.1f} × real time)\n",
+             result.interrupted ? "stopped by the operator after " : "ran ", result.loop.ticks,
+             result.rate, result.duration,
+             result.clock == ClockKind::simulated ? "virtual" : "real", result.wall_time,
+             result.wall_time > 0.0 ? result.duration / result.wall_time : 0.0) +
+         moments_text(run.highlights) + peaks_text(run.highlights) + timing_text(result) +
+         faults_text(result);
+}
+
+/// One of several runs: a line, and what went wrong.
+std::string short_run_text(const SessionRun& run, std::size_t number) {
+  const RunResult& result = run.result;
+  std::string text =
+      fmt::format("run {}: {:.3f} s at {:.6g} Hz", number, result.duration, result.rate);
+  for (const Highlight& one : run.highlights.all())
+    if (one.is_force)
+      text += fmt::format(", {} up to {:.2f} N", one.name.substr(0, one.name.rfind('.')), one.peak);
+  if (result.interrupted) text += ", stopped by the operator";
+  const bool sound = result.faults.empty() && result.shortcomings.empty() && result.lost.empty();
+  return text + (sound ? ", no faults\n" : "\n" + faults_text(result));
+}
+
+std::string cell_text(const Literal& value) {
+  if (const auto* number = value.as<double>()) return fmt::format("{:.6g}", *number);
+  if (const auto* text = value.as<std::string>()) return *text;
+  return value.text();
+}
+
+/// What was published under one name: a column for each key, in the order of their appearance.
+class PublishedTable {
+ public:
+  explicit PublishedTable(std::string name) : name_(std::move(name)) {}
+
+  void add(const Literal& row) {
+    auto& cells = rows_.emplace_back();
+    if (const auto* table = row.as<Literal::Table>())
+      for (const auto& [key, value] : *table) cells.emplace(column(key), cell_text(value));
+    else if (const auto* list = row.as<Literal::List>())
+      for (std::size_t i = 0; i < list->size(); ++i)
+        cells.emplace(column(std::to_string(i + 1)), cell_text((*list)[i]));
+  }
+  std::string text() const {
+    std::string text = name_ + "\n" + line([&](std::size_t i) { return columns_[i]; });
+    for (const auto& row : rows_)
+      text += line([&](std::size_t i) {
+        const auto found = row.find(i);
+        return found == row.end() ? std::string("-") : found->second;
+      });
+    return text;
+  }
+
+ private:
+  std::size_t column(const std::string& key) {
+    const auto found = std::find(columns_.begin(), columns_.end(), key);
+    if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
+    columns_.push_back(key);
+    return columns_.size() - 1;
+  }
+  std::string line(const auto& cell) const {
+    std::string text;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      std::size_t width = columns_[i].size();
+      for (const auto& row : rows_)
+        if (const auto found = row.find(i); found != row.end())
+          width = std::max(width, found->second.size());
+      text += fmt::format("  {:<{}}", cell(i), width);
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text + "\n";
+  }
+
+  std::string name_;
+  std::vector<std::string> columns_;
+  std::vector<std::map<std::size_t, std::string>> rows_;
+};
+
 std::string published_text(const Session& session) {
+  std::vector<std::string> names;
+  for (const Published& one : session.published())
+    if (std::find(names.begin(), names.end(), one.name) == names.end()) names.push_back(one.name);
   std::string text;
-  for (const Published& one : session.published()) {
-    std::vector<std::string> parts;
-    if (const auto* table = one.row.as<Literal::Table>())
-      for (const auto& [key, value] : *table)
-        parts.push_back(fmt::format("{} = {}", key,
-                                    value.as<double>() != nullptr
-                                        ? fmt::format("{:.6g}", *value.as<double>())
-                                        : value.text()));
-    text += fmt::format("{}: {}\n", one.name, parts.empty() ? one.row.text() : join(parts, ", "));
+  for (const std::string& name : names) {
+    PublishedTable table(name);
+    for (const Published& one : session.published())
+      if (one.name == name) table.add(one.row);
+    text += "\n" + table.text();
   }
   return text;
 }
@@ -112,8 +233,8 @@ std::string report_text(const Session& session) {
   std::int64_t rows = 0;
   std::int64_t lost = 0;
   for (std::size_t i = 0; i < session.runs().size(); ++i) {
-    if (session.runs().size() > 1) text += fmt::format("run {}: ", i + 1);
-    text += run_text(*session.runs()[i]);
+    const SessionRun& run = *session.runs()[i];
+    text += session.runs().size() > 1 ? short_run_text(run, i + 1) : run_text(run);
     rows += session.runs()[i]->result.loop.rows;
     lost += session.runs()[i]->result.loop.rows_lost;
   }

@@ -23,6 +23,7 @@ struct SessionOptions {
   std::optional<std::string> record{};  // --record
   Graph::Overrides set{};               // --set
   bool check_only = false;              // stop at the first run
+  bool print_to_stderr = false;         // what the script prints
   const StopFlag* stop = nullptr;
   RowSink* progress = nullptr;
 };

@@ -10,13 +10,10 @@ namespace {
 std::optional<NodeId> add_operator(lua_State* state, const std::string& type,
                                    const std::string& stem) {
   ScriptContext& script = context(state);
-  const std::string scope = script.scope();
-  const auto taken = [&](const std::string& name) {
-    return script.graph().find(scope.empty() ? name : scope + "." + name).has_value();
-  };
-  std::string name = stem;
-  for (int n = 2; taken(name); ++n) name = fmt::format("{}_{}", stem, n);
-  return script.graph().add(type, name, where(state), scope);
+  const auto node =
+      script.graph().add(type, script.unused_name(stem), where(state), script.scope());
+  if (node) script.nameless.insert(*node);
+  return node;
 }
 
 /// Wires operand `index` to the input: an output, or a value by way of a constant.

@@ -68,27 +68,19 @@ int node_index(lua_State* state) {
 void connect_literal(lua_State* state, NodeId node, const std::string& input) {
   Graph& graph = context(state).graph();
   const Where at = where(state);
-  const std::string owner = graph.node(node).name;
-  const auto constant = graph.add("Constant", input, at, owner);
+  const std::string owner = graph.node(node).name;  // its signal is "wall.offset.value"
+  const auto constant = graph.add("Constant", context(state).unused_name(input, owner), at, owner);
   if (!constant) return;
   graph.set({*constant, "value"}, to_literal(state, -1), at);
   graph.connect({*constant, "value", ""}, {node, input}, at);
 }
 
-void connect_value(lua_State* state, const InputRef& input) {
+void connect_one(lua_State* state, const InputRef& input) {
   Graph& graph = context(state).graph();
   if (const auto* output = get<OutputRef>(state, -1)) {
     graph.connect(*output, input, where(state));
-  } else if (lua_istable(state, -1) &&
-             graph.node(input.node).component->find_input(input.port)->variadic()) {
-    const int list = lua_absindex(state, -1);
-    for (const Key& key : ordered_keys(state, list)) {
-      push_value(state, list, key);
-      connect_value(state, input);
-      lua_pop(state, 1);
-    }
   } else if (get<Placeholder>(state, -1) != nullptr) {
-    graph.node(input.node).excused = true;
+    graph.node(input.node).set_at[input.port] = where(state);
   } else if (lua_isuserdata(state, -1)) {
     graph.finding(
         where(state),
@@ -100,19 +92,31 @@ void connect_value(lua_State* state, const InputRef& input) {
   }
 }
 
+void connect_value(lua_State* state, const InputRef& input) {
+  const Graph::Node& node = context(state).graph().node(input.node);
+  if (!lua_istable(state, -1) || !node.component->find_input(input.port)->variadic())
+    return connect_one(state, input);
+  const int list = lua_absindex(state, -1);
+  for (const Key& key : ordered_keys(state, list)) {
+    push_value(state, list, key);
+    connect_one(state, input);
+    lua_pop(state, 1);
+  }
+}
+
 /// Outputs in a value become their signals' names: signals = { wall.force }.
-Literal literal_with_signals(lua_State* state, int index) {
+Literal literal_with_signals(lua_State* state, int index, int depth = 0) {
   const int at = lua_absindex(state, index);
   if (const auto* output = get<OutputRef>(state, at))
     return {signal_name(context(state).graph(), *output)};
   if (const auto* node = get<NodeRef>(state, at))
     return {context(state).graph().node(node->node).name};
-  if (!lua_istable(state, at)) return to_literal(state, at);
+  if (!lua_istable(state, at) || depth > 4) return to_literal(state, at);
   Literal::List list;
   for (const Key& key : ordered_keys(state, at)) {
     if (key.number == 0) return to_literal(state, at);
     push_value(state, at, key);
-    list.push_back(literal_with_signals(state, -1));
+    list.push_back(literal_with_signals(state, -1, depth + 1));
     lua_pop(state, 1);
   }
   return {list};
@@ -128,44 +132,57 @@ void set_parameter(lua_State* state, const ParameterRef& parameter) {
     graph.node(parameter.node).set_at[parameter.name] = where(state);
 }
 
+std::optional<double> rate_of(const std::string& text) {
+  try {
+    const Quantity rate = parse_quantity(text);
+    if (rate.unit.dimension == parse_unit("Hz").dimension && rate.value > 0.0) return rate.value;
+  } catch (const UnitError&) {
+  }
+  return std::nullopt;
+}
+
 void set_rate(lua_State* state, NodeId node, const std::string& key) {
   Graph& graph = context(state).graph();
   const Graph::Node& known = graph.node(node);
-  if (key == "phase") {
-    graph.set_rate(node, known.rate, static_cast<std::int64_t>(luaL_checkinteger(state, -1)),
-                   where(state));
-    return;
+  if (get<Placeholder>(state, -1) != nullptr) return;
+  const Literal value = to_literal(state, -1);
+  if (known.is_group()) {
+    graph.finding(where(state),
+                  fmt::format("{} is a group: give \"{}\" to its components", known.name, key));
+  } else if (key == "phase") {
+    if (lua_isinteger(state, -1))
+      return graph.set_rate(node, known.rate, lua_tointeger(state, -1), where(state));
+    graph.finding(where(state), fmt::format("{}.phase = {}: needs a whole number of ticks",
+                                            known.name, value.text()));
+  } else {
+    const auto* written = value.as<std::string>();
+    const auto rate = written == nullptr ? std::nullopt : rate_of(*written);
+    if (rate) return graph.set_rate(node, *rate, known.phase, where(state));
+    graph.finding(where(state), fmt::format("{}.rate = {}: needs Hz, above 0, e.g. \"100 Hz\"",
+                                            known.name, value.text()));
   }
-  try {
-    const Quantity rate = parse_quantity(luaL_checkstring(state, -1));
-    if (rate.unit.dimension != parse_unit("Hz").dimension)
-      throw UnitError(fmt::format("\"{}\": needs Hz, e.g. \"100 Hz\"", lua_tostring(state, -1)));
-    graph.set_rate(node, rate.value, known.phase, where(state));
-  } catch (const UnitError& error) {
-    graph.finding(where(state), fmt::format("{}.rate = {}", known.name, error.what()));
-  }
+}
+
+std::vector<const InputPort*> placed_inputs(const Graph::Node& node) {
+  std::vector<const InputPort*> inputs;
+  if (!node.component || !node.component->placement()) return inputs;
+  const Placement& placement = *node.component->placement();
+  if (placement.position != nullptr) inputs.push_back(placement.position);
+  if (placement.velocity != nullptr) inputs.push_back(placement.velocity);
+  return inputs;
 }
 
 void place_at(lua_State* state, NodeId node) {
   Graph& graph = context(state).graph();
-  if (const auto* site = get<SiteRef>(state, -1)) {
-    graph.place(node, site->site, where(state));
-  } else if (get<Placeholder>(state, -1) != nullptr) {
-    graph.node(node).excused = true;
-  } else {
-    graph.finding(where(state),
-                  fmt::format("{}: at = {} is no site, e.g. at = laparoscope.tip",
-                              graph.node(node).name, luaL_tolstring(state, -1, nullptr)));
-    lua_pop(state, 1);
-  }
-}
-
-/// The name that the table at the top gives, or "".
-std::string given_name(lua_State* state) {
-  lua_getfield(state, -1, "name");
-  const std::string name = lua_type(state, -1) == LUA_TSTRING ? lua_tostring(state, -1) : "";
+  if (const auto* site = get<SiteRef>(state, -1))
+    return graph.place(node, site->site, where(state));
+  for (const InputPort* input : placed_inputs(graph.node(node)))
+    graph.node(node).set_at[input->name()] = where(state);  // no second finding about them
+  if (get<Placeholder>(state, -1) != nullptr) return;
+  graph.finding(where(state),
+                fmt::format("{}: at = {} is no site, e.g. at = laparoscope.tip",
+                            graph.node(node).name, luaL_tolstring(state, -1, nullptr)));
   lua_pop(state, 1);
-  return name;
 }
 
 int construct_closure(lua_State* state) {
@@ -194,137 +211,6 @@ int trocar_index(lua_State* state) {
   }
   return push_placeholder(state, name,
                           fmt::format("there is no trocar.{}{}", name, suggestion(name, known)));
-}
-
-// --- outputs, inputs, sites, parameters ---------------------------------------------------------
-
-int output_to(lua_State* state) {
-  Graph& graph = context(state).graph();
-  const auto* output = get<OutputRef>(state, 1);
-  for (int i = 2; i <= lua_gettop(state); ++i) {
-    if (const auto* input = get<InputRef>(state, i))
-      graph.connect(*output, *input, where(state));
-    else if (get<Placeholder>(state, i) == nullptr) {
-      graph.finding(where(state),
-                    fmt::format("{}:to({}): an input is needed", signal_name(graph, *output),
-                                luaL_tolstring(state, i, nullptr)));
-      lua_pop(state, 1);
-    }
-  }
-  lua_settop(state, 1);
-  return 1;
-}
-
-int output_as(lua_State* state) {
-  ScriptContext& script = context(state);
-  const auto* output = get<OutputRef>(state, 1);
-  const std::string name = luaL_checkstring(state, 2);
-  if (const std::string wrong = script.graph().rename(output->node, name, script.scope());
-      !wrong.empty())
-    script.graph().finding(where(state), wrong);
-  lua_settop(state, 1);
-  return 1;
-}
-
-int output_delay(lua_State* state) {
-  Graph& graph = context(state).graph();
-  const OutputRef output = *get<OutputRef>(state, 1);
-  luaL_checktype(state, 2, LUA_TTABLE);
-  lua_settop(state, 2);
-  construct(state, "Delay");
-  if (const auto* delay = get<NodeRef>(state, -1)) {
-    graph.connect(output, {delay->node, "input"}, where(state));
-    push(state, OutputRef{delay->node, "value", ""});
-  }
-  return 1;
-}
-
-int output_index(lua_State* state) {
-  const OutputRef output = *get<OutputRef>(state, 1);
-  const std::string name = luaL_checkstring(state, 2);
-  if (luaL_getmetafield(state, 1, "__methods") != LUA_TNIL) {
-    lua_getfield(state, -1, name.c_str());
-    if (!lua_isnil(state, -1)) return 1;
-    lua_pop(state, 2);
-  }
-  OutputRef field = output;
-  field.path += (field.path.empty() ? "" : ".") + name;
-  const Graph& graph = context(state).graph();
-  const auto& signature = graph.node(output.node).component->find_output(output.port)->signature();
-  if (signature) {
-    try {
-      select_field(*signature, field.path);
-    } catch (const std::invalid_argument& error) {
-      return push_placeholder(state, name,
-                              fmt::format("{}: {}", signal_name(graph, output), error.what()));
-    }
-  }
-  push(state, field);
-  return 1;
-}
-
-int site_index(lua_State* state) {
-  const SiteRef site = *get<SiteRef>(state, 1);
-  const std::string name = luaL_checkstring(state, 2);
-  if (name == "position") {
-    push(state, site.site.position);
-  } else if (name == "velocity") {
-    push(state, site.site.velocity);
-  } else if (name == "force" && site.site.force) {
-    push(state, *site.site.force);
-  } else if (name == "moment" && site.site.moment) {
-    push(state, *site.site.moment);
-  } else if (name == "load" && site.site.load) {
-    push(state, *site.site.load);
-  } else {
-    return push_placeholder(
-        state, name,
-        fmt::format("the site {} has no \"{}\"{}", site.name, name,
-                    suggestion(name, {"position", "velocity", "force", "moment", "load"})));
-  }
-  return 1;
-}
-
-int to_string(lua_State* state) {
-  const Graph& graph = context(state).graph();
-  std::string text = "something";
-  if (const auto* node = get<NodeRef>(state, 1))
-    text = fmt::format("the component {}", graph.node(node->node).name);
-  else if (const auto* output = get<OutputRef>(state, 1))
-    text = "the output " + signal_name(graph, *output);
-  else if (const auto* input = get<InputRef>(state, 1))
-    text = fmt::format("the input {}.{}", graph.node(input->node).name, input->port);
-  else if (const auto* parameter = get<ParameterRef>(state, 1))
-    text = fmt::format("the parameter {}.{}", graph.node(parameter->node).name, parameter->name);
-  else if (const auto* site = get<SiteRef>(state, 1))
-    text = "the site " + site->name;
-  else if (const auto* placeholder = get<Placeholder>(state, 1))
-    text = placeholder->what + " (which does not exist)";
-  lua_pushstring(state, text.c_str());
-  return 1;
-}
-
-int refuse_assignment(lua_State* state) {
-  context(state).graph().finding(
-      where(state),
-      fmt::format("{} cannot be assigned to: give \"{}\" in the constructor's table",
-                  luaL_tolstring(state, 1, nullptr), luaL_tolstring(state, 2, nullptr)));
-  return 0;
-}
-
-int same_placeholder(lua_State* state) {
-  for (int i = 1; i <= lua_gettop(state); ++i) {
-    if (get<Placeholder>(state, i) == nullptr) continue;
-    lua_pushvalue(state, i);
-    return 1;
-  }
-  return 0;
-}
-
-int no_field(lua_State* state) {
-  return push_placeholder(
-      state, lua_tostring(state, 2),
-      fmt::format("{} has no \"{}\"", luaL_tolstring(state, 1, nullptr), lua_tostring(state, 2)));
 }
 
 }  // namespace
@@ -357,28 +243,49 @@ void apply_entry(lua_State* state, NodeId id, const std::string& key) {
                                           type_of(node), key, suggestion(key, known)));
 }
 
-int construct(lua_State* state, const std::string& type) {
+std::string given_name(lua_State* state, int table, const std::string& spare) {
+  lua_getfield(state, table, "name");
+  const Literal given = to_literal(state, -1);
+  lua_pop(state, 1);
+  if (given.as<std::monostate>() != nullptr) return spare;
+  if (const auto* name = given.as<std::string>()) return *name;
+  context(state).graph().finding(where(state),
+                                 fmt::format("name = {}: needs a text", given.text()));
+  return spare;
+}
+
+void refuse_odd_keys(lua_State* state, int table, const std::string& owner) {
+  lua_pushnil(state);
+  while (lua_next(state, table) != 0) {
+    lua_pop(state, 1);
+    if (lua_type(state, -1) == LUA_TSTRING) continue;
+    lua_pushvalue(state, -1);
+    context(state).graph().finding(where(state),
+                                   fmt::format("{}: entry [{}] of the table has no name", owner,
+                                               luaL_tolstring(state, -1, nullptr)));
+    lua_pop(state, 2);
+  }
+}
+
+int construct(lua_State* state, const std::string& type, const std::string& spare_name) {
   ScriptContext& script = context(state);
   Graph& graph = script.graph();
   const int table = lua_absindex(state, -1);
-  const auto id = graph.add(type, given_name(state), where(state), script.scope());
+  const auto id =
+      graph.add(type, given_name(state, table, spare_name), where(state), script.scope());
   if (!id) {
     push(state, Placeholder{type});
     return 1;
   }
   const bool group = graph.node(*id).is_group();
+  refuse_odd_keys(state, table, graph.node(*id).name);
   const std::vector<Key> keys = ordered_keys(state, table);
   // A group's parameters come before its parts exist, all the rest after.
   for (const bool before : {true, false}) {
     for (const Key& key : keys) {
       const bool parameter =
           group && graph.node(*id).settings().find_parameter(key.text) != nullptr;
-      if (key.number > 0) {
-        if (before)
-          graph.finding(where(state), fmt::format("{}: entry {} of the table has no name",
-                                                  graph.node(*id).name, key.number));
-        continue;
-      }
+      if (key.number > 0) continue;
       if ((group && parameter) != before) continue;
       push_value(state, table, key);
       apply_entry(state, *id, key.text);
@@ -390,12 +297,6 @@ int construct(lua_State* state, const std::string& type) {
   return 1;
 }
 
-std::string signal_name(const Graph& graph, const OutputRef& output) {
-  std::string name = graph.node(output.node).name + "." + output.port;
-  if (!output.path.empty()) name += "." + output.path;
-  return name;
-}
-
 int push_placeholder(lua_State* state, const std::string& what, const std::string& finding) {
   context(state).graph().finding(where(state), finding);
   push(state, Placeholder{what});
@@ -403,47 +304,9 @@ int push_placeholder(lua_State* state, const std::string& what, const std::strin
 }
 
 void open_graph(lua_State* state) {
-  const luaL_Reg node[] = {{"__index", guarded<node_index>},
-                           {"__newindex", guarded<refuse_assignment>},
-                           {"__tostring", guarded<to_string>},
-                           {nullptr, nullptr}};
+  const luaL_Reg node[] = {{"__index", guarded<node_index>}, {nullptr, nullptr}};
   make_metatable<NodeRef>(state, node);
-  const luaL_Reg output[] = {{"__index", guarded<output_index>},
-                             {"__newindex", guarded<refuse_assignment>},
-                             {"__tostring", guarded<to_string>},
-                             {nullptr, nullptr}};
-  make_metatable<OutputRef>(state, output);
-  const luaL_Reg methods[] = {{"to", guarded<output_to>},
-                              {"as", guarded<output_as>},
-                              {"delay", guarded<output_delay>},
-                              {nullptr, nullptr}};
-  luaL_getmetatable(state, Meta<OutputRef>::name);
-  luaL_newlib(state, methods);
-  lua_setfield(state, -2, "__methods");
-  lua_pop(state, 1);
-  const luaL_Reg plain[] = {{"__index", guarded<no_field>},
-                            {"__newindex", guarded<refuse_assignment>},
-                            {"__tostring", guarded<to_string>},
-                            {nullptr, nullptr}};
-  make_metatable<InputRef>(state, plain);
-  make_metatable<ParameterRef>(state, plain);
-  const luaL_Reg site[] = {{"__index", guarded<site_index>},
-                           {"__newindex", guarded<refuse_assignment>},
-                           {"__tostring", guarded<to_string>},
-                           {nullptr, nullptr}};
-  make_metatable<SiteRef>(state, site);
-  const luaL_Reg placeholder[] = {{"__index", guarded<same_placeholder>},
-                                  {"__call", guarded<same_placeholder>},
-                                  {"__add", guarded<same_placeholder>},
-                                  {"__sub", guarded<same_placeholder>},
-                                  {"__mul", guarded<same_placeholder>},
-                                  {"__div", guarded<same_placeholder>},
-                                  {"__unm", guarded<same_placeholder>},
-                                  {"__concat", guarded<same_placeholder>},
-                                  {"__tostring", guarded<to_string>},
-                                  {"__newindex", [](lua_State*) { return 0; }},
-                                  {nullptr, nullptr}};
-  make_metatable<Placeholder>(state, placeholder);
+  open_signals(state);
 
   lua_newtable(state);
   lua_pushcfunction(state, guarded<trocar_index>);

@@ -93,9 +93,48 @@ std::unique_ptr<DeclaredParameters> declare_all(lua_State* state, int definition
   return parameters;
 }
 
+/// The names in a list { "force" }, or the keys of a table { force = "N" }.
+std::vector<std::string> declared_names(lua_State* state, int definition, const char* field) {
+  std::vector<std::string> names;
+  lua_getfield(state, definition, field);
+  if (lua_istable(state, -1)) {
+    const int declared = lua_gettop(state);
+    for (const Key& key : ordered_keys(state, declared)) {
+      push_value(state, declared, key);
+      if (key.number == 0)
+        names.push_back(key.text);
+      else if (lua_type(state, -1) == LUA_TSTRING)
+        names.emplace_back(lua_tostring(state, -1));
+      lua_pop(state, 1);
+    }
+  }
+  lua_pop(state, 1);
+  return names;
+}
+
+int no_entry(lua_State* state) {
+  const std::string kind = lua_tostring(state, lua_upvalueindex(1));
+  const std::string name = luaL_tolstring(state, 2, nullptr);
+  std::vector<std::string> known;
+  for (const Key& key : ordered_keys(state, 1)) known.push_back(key.text);
+  return push_placeholder(
+      state, name,
+      fmt::format("the group has no {} \"{}\"{}", kind, name, suggestion(name, known)));
+}
+
+/// Pushes a table in which a name that is missing is a finding.
+void push_named_table(lua_State* state, const char* kind) {
+  lua_newtable(state);
+  lua_newtable(state);
+  lua_pushstring(state, kind);
+  lua_pushcclosure(state, guarded<no_entry>, 1);
+  lua_setfield(state, -2, "__index");
+  lua_setmetatable(state, -2);
+}
+
 /// Pushes the table that `build` gets as its first argument: references to the parameters.
 void push_parameters(lua_State* state, NodeId group) {
-  lua_newtable(state);
+  push_named_table(state, "parameter");
   for (const std::string& name : context(state).graph().node(group).settings().parameter_names()) {
     push(state, ParameterRef{group, name});
     lua_setfield(state, -2, name.c_str());
@@ -104,32 +143,26 @@ void push_parameters(lua_State* state, NodeId group) {
 
 /// Pushes the table of inputs: what the instance was given for each declared name.
 void push_inputs(lua_State* state, int definition, int arguments, const std::string& name) {
-  lua_newtable(state);
-  lua_getfield(state, definition, "inputs");
-  if (lua_istable(state, -1)) {
-    const int declared = lua_gettop(state);
-    for (const Key& key : ordered_keys(state, declared)) {
-      push_value(state, declared, key);
-      const std::string input = key.number > 0 ? luaL_checkstring(state, -1) : key.text;
+  push_named_table(state, "input");
+  for (const std::string& input : declared_names(state, definition, "inputs")) {
+    lua_getfield(state, arguments, input.c_str());
+    if (lua_isnil(state, -1)) {
       lua_pop(state, 1);
-      lua_getfield(state, arguments, input.c_str());
-      if (lua_isnil(state, -1)) {
-        lua_pop(state, 1);
-        push_placeholder(state, name + "." + input,
-                         fmt::format("{} needs its input \"{}\"", name, input));
-      }
-      lua_setfield(state, declared - 1, input.c_str());
+      push_placeholder(state, name + "." + input,
+                       fmt::format("{} needs its input \"{}\"", name, input));
     }
+    lua_setfield(state, -2, input.c_str());
   }
-  lua_pop(state, 1);
 }
 
 /// What `build` returned, at the top of the stack, becomes the group's members.
 void export_members(lua_State* state, NodeId group) {
   Graph& graph = context(state).graph();
-  if (!lua_istable(state, -1)) return;
   const int table = lua_gettop(state);
+  if (!lua_istable(state, table)) return;
+  refuse_odd_keys(state, table, graph.node(group).name + ": what build returned");
   for (const Key& key : ordered_keys(state, table)) {
+    if (key.number > 0) continue;
     push_value(state, table, key);
     Exports& exports = graph.node(group).exports;
     if (const auto* output = get<OutputRef>(state, -1))
@@ -154,17 +187,11 @@ void check_entries(lua_State* state, NodeId group, int definition, int arguments
   const Graph::Node& node = graph.node(group);
   std::vector<std::string> known = node.settings().parameter_names();
   known.emplace_back("name");
-  lua_getfield(state, definition, "inputs");
-  if (lua_istable(state, -1)) {
-    const int declared = lua_gettop(state);
-    for (const Key& key : ordered_keys(state, declared)) {
-      push_value(state, declared, key);
-      known.push_back(key.number > 0 ? luaL_checkstring(state, -1) : key.text);
-      lua_pop(state, 1);
-    }
-  }
-  lua_pop(state, 1);
+  for (std::string& input : declared_names(state, definition, "inputs"))
+    known.push_back(std::move(input));
+  refuse_odd_keys(state, arguments, node.name);
   for (const Key& key : ordered_keys(state, arguments)) {
+    if (key.number > 0) continue;
     if (std::find(known.begin(), known.end(), key.text) == known.end())
       graph.finding(where(state), fmt::format("{} has no input or parameter \"{}\"{}", node.name,
                                               key.text, suggestion(key.text, known)));
@@ -176,19 +203,33 @@ void check_entries(lua_State* state, NodeId group, int definition, int arguments
   }
 }
 
+/// Every output that the definition declares has to be in what `build` returned, at the top.
+void require_outputs(lua_State* state, NodeId group, int definition) {
+  Graph& graph = context(state).graph();
+  const int result = lua_gettop(state);
+  for (const std::string& name : declared_names(state, definition, "outputs")) {
+    const bool given =
+        lua_istable(state, result) && lua_getfield(state, result, name.c_str()) != LUA_TNIL;
+    lua_settop(state, result);
+    if (!given)
+      graph.finding(where(state), fmt::format("{}: build did not return the output \"{}\"",
+                                              graph.node(group).name, name));
+  }
+}
+
 /// The constructor that trocar.group returned; its definition is an upvalue.
 int construct_group(lua_State* state) {
   ScriptContext& script = context(state);
   if (lua_isnoneornil(state, 1)) lua_newtable(state);
-  luaL_checktype(state, 1, LUA_TTABLE);
+  if (!lua_istable(state, 1))
+    return push_placeholder(state, "group", "a group takes one table, e.g. { name = \"a_name\" }");
   lua_settop(state, 1);
   lua_pushvalue(state, lua_upvalueindex(1));
   const int definition = 2;
   lua_getfield(state, definition, "name");
   const std::string type = lua_isstring(state, -1) ? lua_tostring(state, -1) : "Group";
-  lua_getfield(state, 1, "name");
-  const std::string name = lua_isstring(state, -1) ? lua_tostring(state, -1) : "";
-  lua_pop(state, 2);
+  lua_pop(state, 1);
+  const std::string name = given_name(state, 1, "");
   const auto group = script.graph().add_group(declare_all(state, definition), type, name,
                                               where(state), script.scope());
   if (!group) {
@@ -210,12 +251,14 @@ int construct_group(lua_State* state) {
     if (part.find('.') == std::string::npos) script.graph().node(*group).exports.parts[part] = id;
   }
   export_members(state, *group);
+  require_outputs(state, *group, definition);
   push(state, NodeRef{*group});
   return 1;
 }
 
 int make_group(lua_State* state) {
-  luaL_checktype(state, 1, LUA_TTABLE);
+  if (!lua_istable(state, 1))
+    return push_placeholder(state, "group", "trocar.group takes one table, with build = function");
   lua_settop(state, 1);
   static const std::vector<std::string> known = {"name", "parameters", "inputs", "outputs",
                                                  "build"};

@@ -14,14 +14,19 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What trocar.check stops with; no user sees it.
-constexpr const char* stop_here = "trocar: the script stops at its first run";
+/// What ends a script early and in order; no user sees it.
+constexpr const char* stop_here = "trocar: the script stops here";
 
 double quantity(const Literal& literal, const char* unit, const std::string& what) {
-  const Dimension wanted = parse_unit(unit).dimension;
+  const auto* number = literal.as<double>();
+  if (number != nullptr && *number == 0.0) return 0.0;
   if (const auto* text = literal.as<std::string>()) {
-    const Quantity read = parse_quantity(*text);
-    if (read.unit.dimension == wanted) return read.value;
+    try {
+      const Quantity read = parse_quantity(*text);
+      if (read.unit.dimension == parse_unit(unit).dimension) return read.value;
+    } catch (const UnitError& error) {
+      throw std::invalid_argument(fmt::format("{} = {}", what, error.what()));
+    }
   }
   throw std::invalid_argument(
       fmt::format("{} = {}: needs {}, e.g. \"1 {}\"", what, literal.text(), unit, unit));
@@ -39,6 +44,11 @@ const Literal::Table& table_of(const Literal& literal, const std::string& what) 
                   literal.text()));
 }
 
+double within(double value, double min, double max, const char* range, const std::string& what) {
+  if (value >= min && value <= max) return value;
+  throw std::invalid_argument(fmt::format("{} = {:g}: {} is possible", what, value, range));
+}
+
 void read_edits(const Literal& literal, const Where& at, RunOptions& options) {
   const auto* list = literal.as<Literal::List>();
   if (list == nullptr)
@@ -48,7 +58,8 @@ void read_edits(const Literal& literal, const Where& at, RunOptions& options) {
     double time = std::nan("");
     for (const auto& [key, value] : table_of(one, "edits"))
       if (key == "at") time = quantity(value, "s", "edits.at");
-    if (!(time >= 0.0)) throw std::invalid_argument("edits: each needs at = \"1 s\" or the like");
+    if (!(time >= 0.0 && time < 1e7))
+      throw std::invalid_argument("edits: each needs at = \"1 s\" or the like");
     for (const auto& [key, value] : table_of(one, "edits"))
       if (key != "at") options.edits.push_back({time, key, value, at});
   }
@@ -59,12 +70,12 @@ RunOptions read_run_options(const Literal& literal, const Where& at) {
   options.duration = 1.0;
   for (const auto& [key, value] : table_of(literal, "trocar.run")) {
     if (key == "rate") {
-      options.wiring.rate = quantity(value, "Hz", key);
+      options.wiring.rate = within(quantity(value, "Hz", key), 1.0, 1e5, "1 Hz to 100 kHz", key);
     } else if (key == "duration") {
-      options.duration = quantity(value, "s", key);
+      options.duration = within(quantity(value, "s", key), 1e-5, 1e7, "10 µs to 1e7 s", key);
     } else if (key == "seed") {
       const auto* seed = value.as<double>();
-      if (seed == nullptr || *seed < 0.0 || std::floor(*seed) != *seed)
+      if (seed == nullptr || !(*seed >= 0.0 && *seed < 0x1p53) || std::floor(*seed) != *seed)
         throw std::invalid_argument(fmt::format("seed = {}: needs a whole number", value.text()));
       options.wiring.seed = static_cast<std::uint64_t>(*seed);
     } else if (key == "set") {
@@ -87,13 +98,17 @@ int run_graph(lua_State* state) {
     script.ran = true;
     return luaL_error(state, "%s", stop_here);
   }
-  luaL_checktype(state, 1, LUA_TTABLE);
+  if (!lua_istable(state, 1))
+    throw std::invalid_argument("trocar.run takes one table, e.g. { duration = \"10 s\" }");
   const Where at = where(state);
   RunOptions options = read_run_options(to_literal(state, 1), at);
   if (!script.ran) script.graph().report_unused_overrides();
   script.ran = true;
   try {
     push(state, RunRef{&script.session.run(std::move(options))});
+    const StopFlag* stop = script.session.options().stop;
+    script.stopped = stop != nullptr && stop->raised();
+    if (script.stopped) return luaL_error(state, "%s", stop_here);
   } catch (const BrokenGraph& broken) {
     script.broken = broken.findings;
     throw;
@@ -102,8 +117,10 @@ int run_graph(lua_State* state) {
 }
 
 int publish(lua_State* state) {
-  const std::string name = luaL_checkstring(state, 1);
-  luaL_checktype(state, 2, LUA_TTABLE);
+  if (lua_type(state, 1) != LUA_TSTRING || !lua_istable(state, 2))
+    throw std::invalid_argument(
+        "trocar.publish takes a name and a table, e.g. (\"drift\", { tip = 0.1 })");
+  const std::string name = lua_tostring(state, 1);
   if (!is_name(name))
     throw std::invalid_argument(
         fmt::format("publish(\"{}\"): needs a name of letters, digits and "
@@ -116,7 +133,7 @@ int publish(lua_State* state) {
 // --- results ----------------------------------------------------------------------------------
 
 const RowStore& rows_of(lua_State* state) {
-  return *get<RunRef>(state, 1)->run->result.rows;
+  return *self<RunRef>(state, "run:mean(wall.load)").run->result.rows;
 }
 
 /// A signal's name, from an output or a string.
@@ -169,10 +186,16 @@ void push_fields(lua_State* state, std::initializer_list<std::pair<const char*, 
   }
 }
 
+/// The table that a method of a run takes.
+void need_table(lua_State* state, const char* example) {
+  if (!lua_istable(state, 2))
+    throw std::invalid_argument(std::string("a table is needed, e.g. ") + example);
+}
+
 /// run:fit { x = …, y = …, where = bool signal, from = "1 s", to = "2 s" }
 int fit(lua_State* state) {
-  luaL_checktype(state, 2, LUA_TTABLE);
   const RowStore& rows = rows_of(state);
+  need_table(state, "run:fit { x = spring.stretch, y = weights.load }");
   const auto field = [&](const char* name) {
     lua_getfield(state, 2, name);
     if (lua_isnil(state, -1))
@@ -209,6 +232,7 @@ int fit(lua_State* state) {
 /// run:drift(signal): the farthest that it gets from where it starts.
 int drift(lua_State* state) {
   const auto all = columns(rows_of(state), signal_at(state, 2));
+  if (all.front().empty()) throw std::invalid_argument("the run has no rows");
   double farthest = 0.0;
   for (std::size_t row = 0; row < all.front().size(); ++row) {
     double squares = 0.0;

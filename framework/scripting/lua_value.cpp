@@ -81,7 +81,8 @@ Where where(lua_State* state) {
   lua_Debug frame;
   for (int level = 0; lua_getstack(state, level, &frame) != 0; ++level) {
     lua_getinfo(state, "Sl", &frame);
-    if (frame.currentline > 0) return {frame.short_src, frame.currentline};
+    if (frame.currentline <= 0) continue;
+    return {frame.source[0] == '@' ? frame.source + 1 : frame.short_src, frame.currentline};
   }
   return {};
 }

@@ -4,6 +4,8 @@
 #include <exception>
 #include <lua.hpp>
 #include <new>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "framework/finding.hpp"
@@ -30,6 +32,14 @@ void push(lua_State* state, T value) {
 template <typename T>
 T* get(lua_State* state, int index) {
   return static_cast<T*>(luaL_testudata(state, index, Meta<T>::name));
+}
+
+/// The userdata that a method was called on.
+/// @throw std::invalid_argument when it is something else: a dot instead of a colon
+template <typename T>
+T& self(lua_State* state, const char* example) {
+  if (T* found = get<T>(state, 1)) return *found;
+  throw std::invalid_argument(std::string("a method is called with a colon: ") + example);
 }
 
 /// A C++ exception in a function that Lua calls becomes a Lua error.
@@ -75,7 +85,6 @@ void push_value(lua_State* state, int table, const Key& key);
 
 /// What a script wrote: nil, bool, number, string, or a table of such; anything else becomes a
 /// string that says what it is.
-/// @param name_of how to write a userdata, or "" when it has no name
 Literal to_literal(lua_State* state, int index);
 void push_literal(lua_State* state, const Literal& literal);
 

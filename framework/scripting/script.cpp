@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -88,7 +89,8 @@ int unknown_global(lua_State* state) {
 
 int argument(lua_State* state) {
   ScriptContext& script = context(state);
-  const auto found = script.arguments.find(luaL_checkstring(state, 2));
+  script.asked.emplace_back(luaL_checkstring(state, 2));
+  const auto found = script.arguments.find(script.asked.back());
   if (found == script.arguments.end()) return 0;
   found->second.used = true;
   push_literal(state, found->second.value);
@@ -104,6 +106,36 @@ void open_arguments(lua_State* state) {
   lua_setfield(state, -2, "args");
 }
 
+/// `debug` would reach behind the binding, os.exit() would leave half a log.
+void remove_dangers(lua_State* state) {
+  lua_pushnil(state);
+  lua_setglobal(state, "debug");
+  lua_getfield(state, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+  lua_pushnil(state);
+  lua_setfield(state, -2, "debug");
+  lua_getglobal(state, "os");
+  lua_pushcfunction(state, [](lua_State* s) {
+    return luaL_error(s, "os.exit would leave half a log: return, or call error(\"why\")");
+  });
+  lua_setfield(state, -2, "exit");
+  lua_pop(state, 2);
+}
+
+/// print() as Lua's, but beside the report where that goes to standard output as JSON.
+int print_text(lua_State* state) {
+  std::FILE* stream = context(state).session.options().print_to_stderr ? stderr : stdout;
+  const int count = lua_gettop(state);
+  for (int i = 1; i <= count; ++i) {
+    std::size_t size = 0;
+    const char* text = luaL_tolstring(state, i, &size);
+    if (i > 1) std::fputc('\t', stream);
+    std::fwrite(text, 1, size, stream);
+    lua_pop(state, 1);
+  }
+  std::fputc('\n', stream);
+  return 0;
+}
+
 void seed_random(lua_State* state, std::uint64_t seed) {
   lua_getglobal(state, "math");
   lua_getfield(state, -1, "randomseed");
@@ -115,8 +147,9 @@ void seed_random(lua_State* state, std::uint64_t seed) {
 /// All of the script's world: called in protected mode.
 int open_world(lua_State* state) {
   luaL_openlibs(state);
-  lua_pushnil(state);
-  lua_setglobal(state, "debug");
+  remove_dangers(state);
+  lua_pushcfunction(state, print_text);
+  lua_setglobal(state, "print");
   lua_pushcfunction(state, guarded<ordered_pairs>);
   lua_setglobal(state, "pairs");
   seed_random(state, context(state).session.options().seed.value_or(1));
@@ -147,19 +180,32 @@ void set_search_path(lua_State* state, const std::filesystem::path& script) {
 }
 
 /// "file:3: message" becomes a finding at that line.
-void add_error(Graph& graph, const std::string& message) {
-  const std::size_t first = message.find(':');
+void add_error(Graph& graph, const std::string& script, const std::string& message) {
+  const std::size_t first = message.starts_with(script + ":") ? script.size() : message.find(':');
   const std::size_t second = first == std::string::npos ? first : message.find(':', first + 1);
   int line = 0;
   if (second != std::string::npos)
     std::from_chars(message.data() + first + 1, message.data() + second, line);
+  std::string file = message.substr(0, first);
+  if (file.starts_with("...") && script.ends_with(file.substr(3))) file = script;  // Lua's short
   if (line > 0)
-    graph.finding({message.substr(0, first), line}, std::string(trim(message.substr(second + 1))));
+    graph.finding({file, line}, std::string(trim(message.substr(second + 1))));
   else
     graph.finding({}, message);
 }
 
 }  // namespace
+
+std::string ScriptContext::unused_name(const std::string& stem) {
+  return unused_name(stem, scope());
+}
+
+std::string ScriptContext::unused_name(const std::string& stem, const std::string& inside) {
+  const std::string prefix = inside.empty() ? "" : inside + ".";
+  std::string name = stem;
+  for (int n = 2; graph().find(prefix + name); ++n) name = fmt::format("{}_{}", stem, n);
+  return name;
+}
 
 ScriptContext& context(lua_State* state) {
   lua_rawgetp(state, LUA_REGISTRYINDEX, &context_key);
@@ -170,28 +216,46 @@ ScriptContext& context(lua_State* state) {
 
 namespace {
 
+/// Whether the script was ended before its last line, having described or run enough.
+bool stopped_on_purpose(const ScriptContext& script) {
+  return script.stopped || (script.session.options().check_only && script.ran);
+}
+
 void report_unused_arguments(ScriptContext& script) {
+  if (stopped_on_purpose(script)) return;  // it might have asked later
   for (const auto& [key, argument] : script.arguments)
     if (!argument.used)
       script.graph().finding(argument.where,
-                             fmt::format("the script never asks for trocar.args.{}", key));
+                             fmt::format("the script never asks for trocar.args.{}{}", key,
+                                         suggestion(key, script.asked)));
 }
 
-/// Whether the error at the top of the stack only says that the script has described enough.
-bool stopped_on_purpose(const ScriptContext& script) {
-  return script.session.options().check_only && script.ran;
+/// What a script raised, as a text: error { code = 3 } is one too.
+int error_text(lua_State* state) {
+  if (lua_type(state, 1) == LUA_TSTRING) return 1;
+  const Where at = where(state);
+  const std::string what = luaL_getmetafield(state, 1, "__tostring") != LUA_TNIL
+                               ? luaL_tolstring(state, 1, nullptr)
+                               : fmt::format("error {}", to_literal(state, 1).text());
+  lua_pushstring(state, Finding{at, what}.text().c_str());
+  return 1;
 }
 
 void execute(lua_State* state, ScriptContext& script, const std::string& path,
-             const std::string& text) {
+             const std::string& code) {
   const std::string chunk = "@" + path;
-  int status = luaL_loadbufferx(state, text.data(), text.size(), chunk.c_str(), "t");
-  if (status == LUA_OK) status = lua_pcall(state, 0, 0, 0);
+  int status = luaL_loadbufferx(state, code.data(), code.size(), chunk.c_str(), "t");
+  if (status == LUA_OK) {
+    lua_pushcfunction(state, error_text);
+    lua_insert(state, 1);
+    status = lua_pcall(state, 0, 0, 1);
+  }
   if (status == LUA_OK || stopped_on_purpose(script)) return;
-  if (script.broken) throw BrokenGraph(*script.broken);
   const char* message = lua_tostring(state, -1);
-  add_error(script.graph(),
-            message != nullptr ? message : "the script raised a value that is no text");
+  const std::string text = message != nullptr ? message : "the script raised an error without text";
+  if (script.broken && text.find(script.broken->text()) != std::string::npos)
+    throw BrokenGraph(*script.broken);
+  add_error(script.graph(), path, text);
 }
 
 }  // namespace
@@ -201,8 +265,11 @@ void run_script(Session& session, const std::string& path, Graph::Overrides argu
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;
   text << file.rdbuf();
-  if (!file || std::filesystem::is_directory(path))
-    throw std::runtime_error(fmt::format("cannot read the script \"{}\"", path));
+  if (!file || std::filesystem::is_directory(path)) {
+    Findings unreadable;
+    unreadable.add({path, 0}, "there is no script that can be read");
+    throw BrokenGraph(unreadable);
+  }
   session.add_script(std::filesystem::path(path).filename().string(), text.str());
 
   lua::ScriptContext script{session, std::move(arguments)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -62,10 +63,16 @@ struct ScriptContext {
   Graph::Overrides arguments;
   std::vector<std::string> scopes{};  // names of the groups that are being built
   bool ran = false;                   // the script called trocar.run
+  bool stopped = false;               // the operator ended a run, and the script with it
   std::optional<Findings> broken{};   // why a run did not begin
+  std::set<NodeId> nameless{};        // what operators made, until :as names it
+  std::vector<std::string> asked{};   // entries of trocar.args that the script wanted
 
   Graph& graph() { return session.graph(); }
   std::string scope() const { return scopes.empty() ? std::string() : scopes.back(); }
+  /// `stem`, or "stem_2", "stem_3", … where that is taken.
+  std::string unused_name(const std::string& stem);
+  std::string unused_name(const std::string& stem, const std::string& inside);
 };
 
 ScriptContext& context(lua_State* state);
@@ -77,13 +84,19 @@ int push_placeholder(lua_State* state, const std::string& what, const std::strin
 std::string signal_name(const Graph& graph, const OutputRef& output);
 
 // Each opens its part of the library; the `trocar` table is on top of the stack.
-void open_graph(lua_State* state);       // components, outputs, inputs, sites
+void open_graph(lua_State* state);       // components
+void open_signals(lua_State* state);     // outputs, inputs, sites, parameters: of open_graph
 void open_arithmetic(lua_State* state);  // + - * on outputs: after open_graph
 void open_groups(lua_State* state);
 void open_runs(lua_State* state);
 
 /// Calls constructor `type` with the table at the top of the stack; pushes the component.
-int construct(lua_State* state, const std::string& type);
+/// @param spare_name where the table gives none; "" is the type's
+int construct(lua_State* state, const std::string& type, const std::string& spare_name = "");
+/// The name that the table at index `table` gives, or `spare`.
+std::string given_name(lua_State* state, int table, const std::string& spare);
+/// A finding for each entry whose key is no text.
+void refuse_odd_keys(lua_State* state, int table, const std::string& owner);
 /// Applies one entry of a constructor's table: key, and the value at the top of the stack.
 void apply_entry(lua_State* state, NodeId node, const std::string& key);
 
