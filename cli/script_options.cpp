@@ -3,9 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "cli/output.hpp"
 #include "framework/text.hpp"
 
 namespace trocar::cli {
+namespace {
+
+constexpr std::size_t most_digits = 15;  // what JSON's numbers hold, and CLI11 does not wrap round
+
+}  // namespace
 
 void ScriptOptions::add_to(CLI::App& command) {
   command.add_option("script", script, "The Lua script")->required();
@@ -15,7 +21,12 @@ void ScriptOptions::add_to(CLI::App& command) {
           "Override a parameter (wall.stiffness=\"3 N/mm\"), or set an entry of trocar.args "
           "(subject=7)")
       ->allow_extra_args(false);
-  command.add_option("--seed", seed, "Of everything random (default 1)");
+  command.add_option("--seed", seed, "Of everything random (default 1)")
+      ->check([](const std::string& text) {
+        const bool whole = !text.empty() && text.size() <= most_digits &&
+                           text.find_first_not_of("0123456789") == std::string::npos;
+        return whole ? "" : in_quotes(text) + " is no whole number of up to 15 digits";
+      });
 }
 
 void ScriptOptions::split(Graph::Overrides& parameters, Graph::Overrides& arguments) const {

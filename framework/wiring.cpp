@@ -147,6 +147,9 @@ void Wiring::follow_links() {
       wrong = to->set(**any);
     else if (typeid(*from) == typeid(*to) && from->unit().dimension == to->unit().dimension)
       to->copy_from(*from);
+    else if (dynamic_cast<const Parameter<double>*>(from) != nullptr &&
+             dynamic_cast<const Parameter<Quantity>*>(to) != nullptr)
+      wrong = to->set(literal_from_text(from->text()));
     else
       wrong = fmt::format("a {} [{}] cannot be a {} [{}]", from->type_name(), from->unit().symbol,
                           to->type_name(), to->unit().symbol);

@@ -32,8 +32,12 @@ void Wiring::resolve_signatures() {
   settle_natural();
   for (NodeId id = 0; id < graph_.size(); ++id) {
     if (!result_->components_[id]) continue;
+    const auto& inputs = result_->components_[id]->inputs();
+    const bool excused = std::any_of(inputs.begin(), inputs.end(), [&](const InputPort* input) {
+      return graph_.node(id).set_at.contains(input->name());  // given what does not exist
+    });
     for (const OutputPort* output : result_->components_[id]->outputs()) {
-      if (!output->generic()) continue;
+      if (!output->generic() || (excused && !output->signature())) continue;
       if (!output->signature())
         findings_.add(where_of(id), fmt::format("{}.{} has no type yet: wire it to a port that has",
                                                 output->owner().name(), output->name()));

@@ -231,7 +231,8 @@ int fit(lua_State* state) {
 
 /// run:drift(signal): the farthest that it gets from where it starts.
 int drift(lua_State* state) {
-  const auto all = columns(rows_of(state), signal_at(state, 2));
+  const RowStore& rows = rows_of(state);
+  const auto all = columns(rows, signal_at(state, 2));
   if (all.front().empty()) throw std::invalid_argument("the run has no rows");
   double farthest = 0.0;
   for (std::size_t row = 0; row < all.front().size(); ++row) {
@@ -248,7 +249,8 @@ int drift(lua_State* state) {
 
 template <double SignalSummary::*Field>
 int summary(lua_State* state) {
-  const std::vector<double> values = scalar(rows_of(state), signal_at(state, 2));
+  const RowStore& rows = rows_of(state);  // first: it says what a dot instead of a colon is
+  const std::vector<double> values = scalar(rows, signal_at(state, 2));
   lua_pushnumber(state, summarise(values).*Field);
   return 1;
 }

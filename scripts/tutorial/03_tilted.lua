@@ -12,3 +12,11 @@ weight.effort:to(device.hold)
 
 local run = trocar.run { duration = "10 s" }
 trocar.publish("drift", { tip = run:drift(tool.tip.position) })
+
+-- Try it:
+--   trocar run scripts/tutorial/03_tilted.lua --clock simulated
+-- Friction holds what little of the weight is not compensated, so the tip does not move:
+-->   no faults
+--> drift
+-->   tip
+-->   0

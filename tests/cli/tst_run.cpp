@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// `trocar run` and `trocar check` as users call them: exit statuses, files, Ctrl-C.
+#include <signal.h>
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/trocar_process.hpp"
+
+using namespace trocar::test;
+using nlohmann::json;
+
+namespace {
+
+const QString demo = TROCAR_SOURCE_DIR "/scripts/tutorial/01_feel_a_wall.lua";
+const QString broken = TROCAR_SOURCE_DIR "/tests/data/ten_mistakes.lua";
+
+QByteArray content(const QString& path) {
+  QFile file(path);
+  return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class TestRun : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir folder_;
+
+  QString script(const QByteArray& text) {
+    QFile file(folder_.filePath("script.lua"));
+    return file.open(QFile::WriteOnly) && file.write(text) == text.size() ? file.fileName() : "";
+  }
+
+  Ran simulate(const QString& path, const QStringList& more = {}) {
+    return run_trocar(QStringList{"run", path, "--clock", "simulated"} + more);
+  }
+
+ private slots:
+  void a_run_ends_with_a_status_data() {
+    QTest::addColumn<QByteArray>("text");  // of a script; "" is the demo
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QByteArray>("said");
+    const auto row = [](const char* name, const char* text, const QStringList& arguments,
+                        int status, const char* said) {
+      QTest::newRow(name) << QByteArray(text) << arguments << status << QByteArray(said);
+    };
+    row("a sound run", "", {"--for", "100ms"}, 0, "ran 100 ticks at 1000 Hz");
+    row("a duration with a space", "", {"--for", "0.2 s"}, 0, "ran 200 ticks");
+    row("a duration in minutes", "trocar.Constant { value = 1 }", {"--for=0.01min"}, 0,
+        "ran 600 t");
+    row("a duration of nothing", "", {"--for", "0s"}, 2, "--for: \"0s\" is no duration, e.g. 5s");
+    row("a duration without a unit", "", {"--for", "5"}, 2, "\"5\" is no duration");
+    row("a negative duration", "", {"--for=-1s"}, 2, "\"-1s\" is no duration");
+    row("a duration that is none", "", {"--for", "long"}, 2, "\"long\" is no duration");
+    row("an unknown clock", "", {"--clock", "wall"}, 2, "--clock");
+    row("a seed", "", {"--for", "10ms", "--seed", "7"}, 0, "ran 10 ticks");
+    row("a negative seed", "", {"--seed=-1"}, 2, "\"-1\" is no whole number");
+    row("a seed that is too large", "", {"--seed", "99999999999999999999"}, 2,
+        "is no whole number");
+    row("a setting", "", {"--for", "10ms", "--set", "wall.stiffness=1 N/mm"}, 0, "ran 10 ticks");
+    row("a setting of the wrong unit", "", {"--set", "wall.stiffness=1 N"}, 2,
+        "--set: wall.stiffness = \"1 N\": needs N/m");
+    row("a setting of nothing", "", {"--set", "wall.stifness=1 N/mm"}, 2,
+        "did you mean \"wall.stiffness\"?");
+    row("a setting without a value", "", {"--set", "wall"}, 2, "\"wall\" is no setting");
+    row("a broken script", "trocar.Wal {}", {}, 2, "script.lua:1: there is no trocar.Wal");
+    row("a script that fails", "error(\"why\")", {}, 2, "script.lua:1: why");
+    row("a log that cannot be written", "", {"--record", "/nowhere/a.mcap"}, 1,
+        "cannot create '/nowhere/a.mcap': No such file or directory");
+    row("a folder for a log", "", {"--record", "/"}, 1, "cannot create '/'");
+    row("a report that cannot be written", "", {"--for", "10ms", "--json", "/nowhere/a"}, 1,
+        "cannot write the report \"/nowhere/a\"");
+    row("a fault",
+        "local l = trocar.Laparoscope { hand = \"none\" }\n"
+        "trocar.Spring { at = l.tip, stiffness = \"1 N/mm\", about = \"center\",\n"
+        "  center = { 0, 0, \"1 m\" } }",
+        {"--for", "1s"}, 1, "FAULT, first cause");
+  }
+  void a_run_ends_with_a_status() {
+    QFETCH(QByteArray, text);
+    QFETCH(QStringList, arguments);
+    QFETCH(int, status);
+    QFETCH(QByteArray, said);
+    QStringList all = {"run", text.isEmpty() ? demo : script(text)};
+    if (!arguments.contains("--clock")) all += {"--clock", "simulated"};
+    const Ran ran = run_trocar(all + arguments);
+    QVERIFY2((ran.out + ran.err).contains(said), ran.out + ran.err);
+    QCOMPARE(ran.status, status);
+    QVERIFY2(!ran.err.contains('\r'), "progress is for terminals only");
+  }
+
+  void a_script_that_is_missing_is_wrong_usage() {
+    for (const char* command : {"run", "check"}) {
+      const Ran ran = run_trocar({command, "none.lua"});
+      QCOMPARE(ran.status, 2);
+      QVERIFY((ran.out + ran.err).contains("none.lua: there is no script that can be read"));
+    }
+  }
+
+  void the_report_is_json() {
+    const QString path = folder_.filePath("report.json");
+    const QString text = script(
+        "print(\"hello\")\n"
+        "local c = trocar.Constant { value = \"2 mm\" }\n"
+        "for i = 1, 2 do local run = trocar.run { duration = \"0.1 s\" }\n"
+        "trocar.publish(\"row\", { number = i, value = run:mean(c.value) }) end");
+    const Ran to_file = simulate(text, {"--json", path});
+    QVERIFY(to_file.out.startsWith("hello\n") && to_file.out.contains("\nrow\n"));
+    const Ran to_output = simulate(text, {"--json", "-"});
+    QCOMPARE(to_output.err, QByteArray("hello\n"));
+    for (const QByteArray& written : {content(path), to_output.out}) {
+      const json report = json::parse(written.toStdString());
+      QCOMPARE(report["runs"].size(), std::size_t(2));
+      QCOMPARE(report["runs"][0]["ticks"].get<int>(), 100);
+      QCOMPARE(report["published"]["row"].size(), std::size_t(2));
+      QCOMPARE(report["published"]["row"][1]["number"].get<int>(), 2);
+      QVERIFY(qAbs(report["published"]["row"][1]["value"].get<double>() - 2e-3) < 1e-12);
+    }
+  }
+
+  void the_same_run_leaves_the_same_bytes() {
+    const auto record = [&](const char* name, const QStringList& more) {
+      const QString path = folder_.filePath(name);
+      const Ran ran = simulate(demo, QStringList{"--for", "5s", "--record", path} + more);
+      return ran.status == 0 ? content(path) : QByteArray();
+    };
+    const QByteArray first = record("first.mcap", {});
+    QVERIFY(first.size() > 1'000'000);
+    QVERIFY(first == record("second.mcap", {}));
+    QVERIFY(first != record("third.mcap", {"--seed", "2"}));
+  }
+
+  void record_redirects_a_logger() {
+    const QString own = folder_.filePath("own.mcap");
+    const QString other = folder_.filePath("other.mcap");
+    const QString text =
+        script("trocar.Constant { value = 1 }\ntrocar.Logger { file = \"" + own.toUtf8() + "\" }");
+    QCOMPARE(simulate(text, {"--for", "0.1s"}).status, 0);
+    QVERIFY(QFile::remove(own));
+    QCOMPARE(simulate(text, {"--for", "0.1s", "--record", other}).status, 0);
+    QVERIFY(QFile::exists(other) && !QFile::exists(own));
+    QCOMPARE(run_trocar({"info", other}).status, 0);
+  }
+
+  void a_broken_script_begins_no_log() {
+    const QString path = folder_.filePath("none.mcap");
+    QCOMPARE(simulate(broken, {"--record", path}).status, 2);
+    QVERIFY(!QFile::exists(path));
+  }
+
+  void ctrl_c_ends_a_run_in_order() {
+    const QString path = folder_.filePath("interrupted.mcap");
+    QProcess process;
+    process.start(TROCAR_BINARY, {"run", demo, "--record", path});
+    QVERIFY(process.waitForStarted());
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path).size() > 10'000, 10'000);  // it records
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(10'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    const QByteArray out = process.readAllStandardOutput();
+    QVERIFY2(out.startsWith("stopped by the operator after "), out);
+    QVERIFY2(out.contains(", 0 lost"), out);
+    const Ran info = run_trocar({"info", path});
+    QVERIFY2(info.status == 0 && info.out.contains("Complete    yes"), info.out + info.err);
+  }
+
+  void a_realtime_run_reports_lateness() {
+    const QString path = folder_.filePath("realtime.json");
+    const Ran ran = run_trocar({"run", demo, "--for", "0.5s", "--json", path});
+    QVERIFY2(ran.out.contains("  lateness "), ran.out);
+    const json run = json::parse(content(path).toStdString())["runs"][0];
+    QCOMPARE(run["ticks"].get<int>() + run["skipped"].get<int>(), 500);
+    QCOMPARE(run["lateness"]["count"].get<int>(), run["ticks"].get<int>());
+    QVERIFY(run["lateness"]["max"].get<double>() > 0.0);
+  }
+
+  void check_finds_every_mistake() {
+    const Ran good = run_trocar({"check", demo});
+    QCOMPARE(good.status, 0);
+    QVERIFY(good.out.endsWith("components, no mistakes\n"));
+    const Ran bad = run_trocar({"check", broken});
+    QCOMPARE(bad.status, 2);
+    QVERIFY2(bad.out.endsWith("\n10 mistakes\n"), bad.out);
+    const json report = json::parse(run_trocar({"check", broken, "--json"}).out.toStdString());
+    QCOMPARE(report["findings"].size(), std::size_t(10));
+    QCOMPARE(report["findings"][0]["line"].get<int>(), 5);
+    const json none = json::parse(run_trocar({"check", demo, "--json"}).out.toStdString());
+    QVERIFY(none["findings"].is_array() && none["findings"].empty());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestRun)
+#include "tst_run.moc"
