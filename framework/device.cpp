@@ -7,10 +7,14 @@ namespace trocar {
 
 std::vector<std::string> DeviceLimits::missing() const {
   std::vector<std::string> names;
-  const std::pair<const char*, const Joints*> by_axis[] = {
-      {"effort", &effort},          {"rise", &rise}, {"speed", &speed},
-      {"margin", &margin},          {"jump", &jump}, {"damping", &damping},
-      {"damping_cap", &damping_cap}};
+  const std::pair<const char*, const Joints*> by_axis[] = {{"effort", &effort},
+                                                           {"rise", &rise},
+                                                           {"speed", &speed},
+                                                           {"margin", &margin},
+                                                           {"jump", &jump},
+                                                           {"damping", &damping},
+                                                           {"damping_cap", &damping_cap},
+                                                           {"hold_tolerance", &hold_tolerance}};
   if (axes < 1 || axes > max_axes) return {"axes"};
   for (const auto& [name, values] : by_axis)
     for (int i = 0; i < axes; ++i)

@@ -46,10 +46,12 @@ struct DeviceLimits {
   Joints jump;             // [m or rad] between two reports that no motion can explain
   Joints damping;          // [N s/m or N m s/rad] that stays when rendering is off
   Joints damping_cap;      // [N or N m] at most
+  Joints hold_tolerance;   // [N or N m] that hold may differ from the device's own weight
   double handle_speed = undeclared;  // [m/s]
 
   DeviceLimits() {
-    for (Joints* each : {&effort, &rise, &speed, &margin, &jump, &damping, &damping_cap})
+    for (Joints* each :
+         {&effort, &rise, &speed, &margin, &jump, &damping, &damping_cap, &hold_tolerance})
       for (double& value : each->axis) value = undeclared;
   }
   /// The names of the limits that were left undeclared.
@@ -115,6 +117,9 @@ class Device : public Component {
   virtual void tool_loads(const Joints& effort, ToolLoads& loads) const RT_SAFE = 0;
   /// [m/s] of the handle for axis velocities, by the driver's own kinematics.
   virtual double handle_speed(const Joints& velocity) const RT_SAFE = 0;
+  /// The effort that holds it at the present position, by the driver's own model. `hold` passes
+  /// the gate without ramps and outlives faults, so it must be a weight and nothing else.
+  virtual Joints weight() const RT_SAFE = 0;
   virtual void write(const Tick& tick, const GatedEffort& effort) RT_SAFE = 0;
 
   bool has_gate_ = false;  // while it has one, nobody can make another

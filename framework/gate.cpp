@@ -29,7 +29,6 @@ Gate::Gate(Device& device, double period, FaultLatch& faults)
       limits_(device.limits()),
       period_(period),
       faults_(faults),
-      velocity_(period),
       state_(device.starts_engaged() ? State::engaged : State::cold),
       hold_ramp_(device.starts_engaged() ? 1.0 : 0.0),
       effort_ramp_(device.starts_engaged() ? 1.0 : 0.0) {
@@ -108,16 +107,18 @@ void Gate::watch_position() RT_SAFE {
     started_ = false;  // homing steps the position
     return;
   }
-  if (!started_) velocity_.reset(position);
+  if (!started_) velocity_.reset(position, tick_.time, period_);
   for (int i = 0; started_ && i < limits_.axes; ++i) {
     const double jump = std::abs(position[i] - position_before_[i]);
-    if (jump <= limits_.jump[i]) continue;
-    trip(FaultCause::encoder_jump, "between two reports", jump, limits_.jump[i]);
+    const double possible = limits_.jump[i] * periods_since_report();
+    if (jump <= possible) continue;
+    trip(FaultCause::encoder_jump, "between two reports", jump, possible);
     position_lost_ = true;
   }
   started_ = true;
   position_before_ = position;
-  velocity_.update(position);
+  reported_at_ = tick_.index;
+  velocity_.update(position, tick_.time);
   const double handle_speed = device_.handle_speed(velocity());
   if (!(handle_speed <= limits_.handle_speed)) {
     trip(FaultCause::speed, "handle", handle_speed, limits_.handle_speed);
@@ -137,6 +138,11 @@ void Gate::watch_position() RT_SAFE {
   }
 }
 
+/// A slot that was skipped leaves the device time to move.
+double Gate::periods_since_report() const RT_SAFE {
+  return static_cast<double>(std::max<std::int64_t>(1, tick_.index - reported_at_));
+}
+
 void Gate::watch_hold() RT_SAFE {
   const Joints& hold = **device_.hold_;
   if (!finite(hold)) {
@@ -147,6 +153,15 @@ void Gate::watch_hold() RT_SAFE {
   for (int i = 0; i < limits_.axes; ++i) {
     if (std::abs(hold[i]) <= limits_.effort[i]) continue;
     trip(FaultCause::hold_beyond_limit, "hold", std::abs(hold[i]), limits_.effort[i]);
+    hold_lost_ = true;
+  }
+  if (hold_lost_ || position_lost_ || !homed_ || !device_.hold_->connected()) return;
+  const Joints weight = device_.weight();
+  for (int i = 0; i < limits_.axes; ++i) {
+    const double beyond = std::abs(hold[i] - weight[i]);
+    if (beyond <= limits_.hold_tolerance[i]) continue;
+    trip(FaultCause::hold_beyond_limit, "hold is not the device's weight", beyond,
+         limits_.hold_tolerance[i]);
     hold_lost_ = true;
   }
 }

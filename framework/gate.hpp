@@ -50,6 +50,7 @@ class Gate {
  private:
   void trip(FaultCause cause, const char* detail, double value, double limit) RT_SAFE;
   void watch_position() RT_SAFE;
+  double periods_since_report() const RT_SAFE;
   void watch_hold() RT_SAFE;
   void watch_effort() RT_SAFE;
   void advance_state() RT_SAFE;
@@ -66,6 +67,7 @@ class Gate {
   State state_;
   Tick tick_{};
   Joints position_before_{};
+  std::int64_t reported_at_ = 0;  // slot
   Joints rendered_before_{};
   ToolLoads loads_{};  // of this tick's raw effort
   double hold_ramp_;

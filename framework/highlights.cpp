@@ -28,7 +28,7 @@ void Highlights::begin(const RowLayout& layout, const WiredGraph& graph) {
 
 void Highlights::add(const RowLayout& layout, const OutputPort& output, std::size_t offset,
                      bool is_force) {
-  const std::string port_name = output.owner().name() + "." + output.name();
+  const std::string port_name = output.owner_name() + "." + output.name();
   for (const RowPort& port : layout.ports()) {
     if (port.name != port_name) continue;
     Highlight one{.name = port_name,

@@ -66,7 +66,7 @@ std::string ParameterBase::range_text() const {
 
 std::string ParameterBase::check_range(double value) const {
   if (value >= min_ && value <= max_) return "";
-  if (std::isnan(value)) return "is not a number";
+  if (!std::isfinite(value)) return "must be a finite number";
   if (!limit_reason_.empty() && value > max_)
     return fmt::format("must be at most {}: {}", format_quantity(max_, shown_unit_), limit_reason_);
   const bool two_sided = min_ > -infinity && max_ < infinity;

@@ -172,7 +172,7 @@ const char* name_of(const Joints&) {
 
 std::string read_value(Self, const Literal& literal, Quantity& value) {
   if (const auto* number = literal.as<double>()) {
-    if (std::isnan(*number)) return "is not a number";
+    if (!std::isfinite(*number)) return "must be a finite number";
     value = {*number, {}};
     return "";
   }

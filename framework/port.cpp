@@ -99,6 +99,10 @@ Port::Port(Component* owner, std::string_view name, const TypeInfo* type,
       signature_(declared(type, options)),
       generic_(type == nullptr) {}
 
+const std::string& Port::owner_name() const {
+  return owner_->name();
+}
+
 OutputPort::OutputPort(Component* owner, std::string_view name, const TypeInfo* type,
                        const PortOptions& options)
     : Port(owner, name, type, options), truth_(options.truth) {

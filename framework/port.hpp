@@ -65,7 +65,7 @@ class Port {
   const std::string& name() const { return name_; }
   const std::string& doc() const { return doc_; }
   const std::vector<std::string>& labels() const { return labels_; }
-  const Component& owner() const { return *owner_; }
+  const std::string& owner_name() const;  // of the component
   /// Nothing while a generic port is not wired to anything that has a type.
   const std::optional<Signature>& signature() const { return signature_; }
   bool generic() const { return generic_; }
@@ -76,6 +76,10 @@ class Port {
   ~Port() = default;
 
  private:
+  // A component must not get from its inputs to those that feed it.
+  friend class Wiring;
+  const Component& owner() const { return *owner_; }
+
   Component* owner_;
   std::string name_;
   std::string doc_;

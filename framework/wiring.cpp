@@ -29,8 +29,8 @@ std::vector<std::string> port_names(const auto& ports) {
 }  // namespace
 
 std::string ResolvedWire::text() const {
-  return fmt::format("{}.{}{}{} → {}.{}", from->owner().name(), from->name(),
-                     path.empty() ? "" : ".", path, to->owner().name(), to->name());
+  return fmt::format("{}.{}{}{} → {}.{}", from->owner_name(), from->name(), path.empty() ? "" : ".",
+                     path, to->owner_name(), to->name());
 }
 
 Wiring::Wiring(const Graph& graph, const WiringOptions& options)
@@ -214,13 +214,13 @@ void Wiring::check_inputs() {
       const std::vector<std::size_t>& drivers = wires_into(*input);
       const bool excused = graph_.node(id).set_at.contains(input->name());  // a finding elsewhere
       if (drivers.empty() && !input->optional() && !input->variadic() && !excused)
-        findings_.add(where_of(id), fmt::format("{}.{} is not connected: {}", input->owner().name(),
+        findings_.add(where_of(id), fmt::format("{}.{} is not connected: {}", input->owner_name(),
                                                 input->name(), input->doc()));
       for (std::size_t i = 1; i < drivers.size() && !input->variadic(); ++i)
         findings_.add(
             wires_[drivers[i]].where,
             fmt::format("{}.{} is driven already (at {}): add the two with + first",
-                        input->owner().name(), input->name(), wires_[drivers[0]].where.text()));
+                        input->owner_name(), input->name(), wires_[drivers[0]].where.text()));
     }
   }
 }

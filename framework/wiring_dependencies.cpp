@@ -44,7 +44,7 @@ void Wiring::check_truth() {
           findings_.add(wire.where,
                         fmt::format("{}: only a simulation knows {}.{}, so nothing that reaches "
                                     "{}.{} may be computed from it; record or plot it instead",
-                                    wire.text(), wire.from->owner().name(), wire.from->name(),
+                                    wire.text(), wire.from->owner_name(), wire.from->name(),
                                     device->name(), input->name()));
     }
   }

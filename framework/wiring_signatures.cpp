@@ -40,9 +40,9 @@ void Wiring::resolve_signatures() {
       if (!output->generic() || (excused && !output->signature())) continue;
       if (!output->signature())
         findings_.add(where_of(id), fmt::format("{}.{} has no type yet: wire it to a port that has",
-                                                output->owner().name(), output->name()));
+                                                output->owner_name(), output->name()));
       else if (!numbers(*output->signature()))
-        findings_.add(where_of(id), fmt::format("{}.{} cannot carry a {}", output->owner().name(),
+        findings_.add(where_of(id), fmt::format("{}.{} cannot carry a {}", output->owner_name(),
                                                 output->name(), output->signature()->type->name));
     }
   }

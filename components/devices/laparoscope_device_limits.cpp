@@ -7,7 +7,7 @@ namespace trocar {
 namespace {
 
 struct AxisFigures {
-  double effort, rise, speed, margin, damping, damping_cap;
+  double effort, rise, speed, margin, damping, damping_cap, hold_tolerance;
 };
 
 // rise:    20 N at E takes up to 101 N and 6.1 N m inside the workspace: 5 ms.
@@ -15,8 +15,10 @@ struct AxisFigures {
 //          motors turn at 2900 rpm behind a capstan of 15.
 // margin:  how far the peak effort presses into the rubber stops of 100 N/mm and 300 N m/rad,
 //          and half as much again.
-constexpr AxisFigures slider{200.0, 20e3, 2.0, 3e-3, 20.0, 5.0};
-constexpr AxisFigures ring{12.0, 1.2e3, 20.0, 0.06, 0.15, 0.3};
+// hold_tolerance: a capped damping, and a weight known to some percent; three sliders stay below
+//          the handle's cap of 20 N.
+constexpr AxisFigures slider{200.0, 20e3, 2.0, 3e-3, 20.0, 5.0, 6.0};
+constexpr AxisFigures ring{12.0, 1.2e3, 20.0, 0.06, 0.15, 0.3, 0.4};
 constexpr double handle_speed = 1.0;  // [m/s], from which the speeds follow
 
 }  // namespace
@@ -38,6 +40,7 @@ DeviceLimits laparoscope_device_limits(const LaparoscopeLimits& ranges, double p
     limits.jump[i] = 2.0 * axis.speed * period;
     limits.damping[i] = axis.damping;
     limits.damping_cap[i] = axis.damping_cap;
+    limits.hold_tolerance[i] = axis.hold_tolerance;
   }
   return limits;
 }

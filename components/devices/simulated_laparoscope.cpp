@@ -58,22 +58,32 @@ void SimulatedLaparoscope::configure(const Setup& setup) {
   limits_ = laparoscope_device_limits(settings.limits, setup.period);
   period_ns_ = std::llround(setup.period * 1e9);
   receiver_.emplace(period_ns_, static_cast<int>(*delay));
-  weight_ = own_weight();
+  weight_model_.emplace(geometry.value(), masses.value());
+  gravity_ = mount.gravity();
+  if (const auto s = own_weight(plant_->measured_position(), weight_); s != AssemblyStatus::ok)
+    throw std::invalid_argument(std::string("the starting pose is reported as one that cannot be "
+                                            "assembled: ") +
+                                describe(s) + "; start inside the workspace");
   braked_ = !starts_engaged();
   const double slider = settings.drive.slider.resolution, ring = settings.drive.ring.resolution;
   if (settings.imperfections.position_quantisation)
     device_position.quality.resolution = {slider, slider, slider, ring, ring, ring};
 }
 
-Vector6d SimulatedLaparoscope::own_weight() const {
+AssemblyStatus SimulatedLaparoscope::own_weight(const Vector6d& position,
+                                                Vector6d& holding) const RT_SAFE {
   const LaparoscopeModel& model = plant_->dynamics().model();
   LaparoscopeConfiguration c;
-  if (const auto s = model.forward(plant_->measured_position(), c); s != AssemblyStatus::ok)
-    throw std::invalid_argument(std::string("the starting pose is reported as one that cannot be "
-                                            "assembled: ") +
-                                describe(s) + "; start inside the workspace");
-  return LaparoscopeGravity(geometry.value(), masses.value())
-      .effort(c, model.rates(c), mount.gravity());
+  const AssemblyStatus status = model.forward(position, c);
+  if (status == AssemblyStatus::ok) holding = weight_model_->effort(c, model.rates(c), gravity_);
+  return status;
+}
+
+/// Where the position cannot be assembled status() says so, and nothing is held.
+Joints SimulatedLaparoscope::weight() const RT_SAFE {
+  Vector6d holding = Vector6d::Zero();
+  own_weight(device_position->head<6>(), holding);
+  return joints(holding);
 }
 
 void SimulatedLaparoscope::start() {

@@ -117,10 +117,11 @@ class SimulatedLaparoscope final : public Device {
   DeviceStatus status() const RT_SAFE override;
   void tool_loads(const Joints& effort, ToolLoads& loads) const RT_SAFE override;
   double handle_speed(const Joints& velocity) const RT_SAFE override;
+  Joints weight() const RT_SAFE override;
   void write(const Tick& tick, const GatedEffort& effort) RT_SAFE override;
 
   LaparoscopePlantSettings plant_settings(const Setup& setup) const;
-  Vector6d own_weight() const;
+  AssemblyStatus own_weight(const Vector6d& position, Vector6d& holding) const RT_SAFE;
   void pass(std::int64_t period) RT_SAFE;
   void move(std::int64_t duration_ns) RT_SAFE;
   bool brake_lets_go() RT_SAFE;
@@ -137,6 +138,8 @@ class SimulatedLaparoscope final : public Device {
   std::optional<LaparoscopePlant> plant_;
   std::optional<LaparoscopeLoads> loads_;
   std::optional<CommandReceiver> receiver_;
+  std::optional<LaparoscopeGravity> weight_model_;     // the driver's own
+  Eigen::Vector3d gravity_ = Eigen::Vector3d::Zero();  // in N [m/s^2]
   DeviceLimits limits_ = laparoscope_device_limits({}, 1e-3);
   std::int64_t period_ns_ = 1'000'000;
   std::int64_t period_ = -1;            // of the last report, -1 before the first

@@ -192,6 +192,7 @@ RowLayout::RowLayout(const WiredGraph& graph, const Selection& wanted) {
   size_ = sizeof(RowHeader) + 8 * components_.size();
   for (RowPort& port : ports_) {
     port.row_offset = align(size_, port.size);
+    has_gaps_ = has_gaps_ || port.row_offset != size_;
     size_ = port.row_offset + port.size;
     add_segment(port);
   }
@@ -211,6 +212,7 @@ void RowLayout::add_segment(const RowPort& port) {
 
 void RowLayout::capture(const RowHeader& header, std::span<const std::int64_t> times,
                         const std::byte* memory, std::span<std::byte> row) const RT_SAFE {
+  if (has_gaps_) std::memset(row.data(), 0, row.size());  // or old bytes would get into the log
   std::memcpy(row.data(), &header, sizeof header);
   std::memcpy(row.data() + sizeof header, times.data(), times.size_bytes());
   for (const Segment& segment : segments_)

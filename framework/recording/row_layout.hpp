@@ -72,6 +72,7 @@ class RowLayout {
   std::vector<RowPort> ports_;
   std::vector<Segment> segments_;
   std::size_t size_ = 0;
+  bool has_gaps_ = false;  // for alignment
 };
 
 }  // namespace trocar

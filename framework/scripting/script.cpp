@@ -168,6 +168,18 @@ int open_world(lua_State* state) {
   return 0;
 }
 
+/// A script that loops for ever must not outlast the wish to stop it.
+void watch_stop_flag(lua_State* state) {
+  constexpr int instructions_between_looks = 100'000;
+  lua_sethook(
+      state,
+      [](lua_State* s, lua_Debug*) {
+        const StopFlag* stop = context(s).session.options().stop;
+        if (stop != nullptr && stop->raised()) luaL_error(s, "stopped by the operator");
+      },
+      LUA_MASKCOUNT, instructions_between_looks);
+}
+
 /// require() finds files beside the script.
 void set_search_path(lua_State* state, const std::filesystem::path& script) {
   const std::filesystem::path folder = script.has_parent_path() ? script.parent_path() : ".";
@@ -280,6 +292,7 @@ void run_script(Session& session, const std::string& path, Graph::Overrides argu
   if (lua_pcall(state.get(), 0, 0, 0) != LUA_OK)
     throw std::runtime_error(fmt::format("Lua does not start: {}", lua_tostring(state.get(), -1)));
   lua::set_search_path(state.get(), path);
+  lua::watch_stop_flag(state.get());
   lua::execute(state.get(), script, path, text.str());
 
   lua::report_unused_arguments(script);

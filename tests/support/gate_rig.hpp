@@ -34,6 +34,7 @@ class TestDevice final : public Device {
   double cap = 20.0;  // [N] at the handle
   double load_trip = std::numeric_limits<double>::infinity();
   int loads = 1;
+  Joints own_weight{};  // [N]
   Joints written{};
   std::int64_t written_tick = -1, written_deadline = 0;
   int writes = 0;
@@ -63,6 +64,7 @@ class TestDevice final : public Device {
     fill(declared.jump, 0.01);
     fill(declared.damping, 5.0);
     fill(declared.damping_cap, 2.0);
+    fill(declared.hold_tolerance, 12.0);
     declared.handle_speed = 0.8;
   }
 
@@ -80,6 +82,7 @@ class TestDevice final : public Device {
   double handle_speed(const Joints& velocity) const RT_SAFE override {
     return velocity.head<3>().norm();
   }
+  Joints weight() const RT_SAFE override { return own_weight; }
   void write(const Tick&, const GatedEffort& gated) RT_SAFE override {
     written = gated.effort();
     written_tick = gated.tick();

@@ -24,7 +24,7 @@ QByteArray content(const QString& path) {
 
 }  // namespace
 
-class TestRun : public QObject {
+class TestRunCommand : public QObject {
   Q_OBJECT
 
   QTemporaryDir folder_;
@@ -193,5 +193,5 @@ class TestRun : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRun)
-#include "tst_run.moc"
+QTEST_GUILESS_MAIN(TestRunCommand)
+#include "tst_run_command.moc"
