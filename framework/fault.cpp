@@ -19,6 +19,8 @@ const char* to_string(FaultCause cause) RT_SAFE {
       return "encoder jump";
     case FaultCause::position_lost:
       return "position lost";
+    case FaultCause::overload:
+      return "overload";
     case FaultCause::component_failed:
       return "component failed";
     case FaultCause::operator_stop:

@@ -16,6 +16,7 @@ enum class FaultCause {
   workspace,
   encoder_jump,
   position_lost,
+  overload,
   component_failed,
   operator_stop,
 };

@@ -14,6 +14,7 @@ constexpr double effort_ramp_time = 0.5;  // [s]
 constexpr double calm_time = 0.5;         // [s] before engaging
 constexpr double calm_speed = 0.020;      // [m/s] of the handle
 constexpr double sound_time = 0.1;        // [s] without a fault before one can be acknowledged
+constexpr double longest_gap = 0.05;      // [s] between two ticks while rendering goes on
 constexpr double deadline_periods = 3.0;  // after which a command is not valid any more
 
 bool finite(const Joints& joints) RT_SAFE {
@@ -107,7 +108,7 @@ void Gate::watch_position() RT_SAFE {
     started_ = false;  // homing steps the position
     return;
   }
-  if (!started_) velocity_.reset(position, tick_.time, period_);
+  if (!started_) velocity_.reset(position, now(), period_);
   for (int i = 0; started_ && i < limits_.axes; ++i) {
     const double jump = std::abs(position[i] - position_before_[i]);
     const double possible = limits_.jump[i] * periods_since_report();
@@ -115,10 +116,15 @@ void Gate::watch_position() RT_SAFE {
     trip(FaultCause::encoder_jump, "between two reports", jump, possible);
     position_lost_ = true;
   }
+  const double gap = periods_since_report() * period_;
+  if (started_ && gap > std::max(longest_gap, 2.0 * period_)) {
+    trip(FaultCause::overload, "no tick for so long", gap, longest_gap);
+    effort_lost_ = true;
+  }
   started_ = true;
   position_before_ = position;
   reported_at_ = tick_.index;
-  velocity_.update(position, tick_.time);
+  velocity_.update(position, now());
   const double handle_speed = device_.handle_speed(velocity());
   if (!(handle_speed <= limits_.handle_speed)) {
     trip(FaultCause::speed, "handle", handle_speed, limits_.handle_speed);

@@ -50,6 +50,7 @@ class Gate {
  private:
   void trip(FaultCause cause, const char* detail, double value, double limit) RT_SAFE;
   void watch_position() RT_SAFE;
+  double now() const RT_SAFE { return static_cast<double>(tick_.index) * period_; }  // [s]
   double periods_since_report() const RT_SAFE;
   void watch_hold() RT_SAFE;
   void watch_effort() RT_SAFE;

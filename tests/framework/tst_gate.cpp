@@ -4,6 +4,7 @@
 #include <QtTest>
 #include <bit>
 #include <limits>
+#include <memory>
 #include <random>
 
 #include "tests/support/allocation_counter.hpp"
@@ -312,6 +313,47 @@ class TestGate : public QObject {
     rig.effort = joints(2.0, 2.0, 2.0);
     moving(300);
     check();
+  }
+
+  void hold_must_be_the_devices_weight() {
+    GateRig rig;
+    for (int i = 0; i < 3; ++i) rig.device.declared.hold_tolerance[i] = 0.5;
+    rig.device.own_weight = joints(5.0, 0.0, 0.0);
+    rig.gate();
+    rig.hold = joints(5.4, -0.4, 0.0);
+    rig.pass(5);
+    QVERIFY(!rig.faults.latched());
+    rig.hold = joints(5.4, -0.6, 0.0);  // a force that somebody renders through hold
+    rig.pass();
+    QCOMPARE(rig.faults[0].cause, FaultCause::hold_beyond_limit);
+    QCOMPARE(rig.faults[0].limit, 0.5);
+    QVERIFY(std::abs(rig.faults[0].value - 0.6) < 1e-12);
+    for (int i = 0; i < 3; ++i) QCOMPARE(rig.sent(i), 0.0);
+  }
+
+  void a_device_has_one_gate() {
+    GateRig rig;
+    rig.gate();
+    QVERIFY_THROWS_EXCEPTION(std::logic_error,
+                             std::make_unique<Gate>(rig.device, GateRig::period, rig.faults));
+  }
+
+  void skipped_slots_are_no_encoder_jump() {
+    GateRig rig;
+    rig.gate();
+    rig.hold = joints(5.0, 0.0, 0.0);
+    const auto move = [&](int periods) {  // at 0.5 m/s
+      rig.tick += periods - 1;
+      rig.position[2] += 0.5e-3 * periods;
+      rig.pass();
+    };
+    for (int i = 0; i < 10; ++i) move(1);
+    move(21);  // 10.5 mm, more than the 10 mm that one period allows
+    QVERIFY(!rig.faults.latched());
+    QVERIFY(std::abs(rig.gate().velocity()[2] - 0.5) < 1e-9);
+    move(60);  // longer than rendering may go without a tick
+    QCOMPARE(rig.faults[0].cause, FaultCause::overload);
+    QCOMPARE(rig.sent(0), 5.0);
   }
 
   void damping_is_capped_and_never_pushes_along_the_motion() {

@@ -67,7 +67,7 @@ class TestParameter : public QObject {
     row("no number", "force", "hard", "\"hard\" is no quantity, a number and a unit are needed");
     row("too large", "stiffness", "51 N/mm", "must be within 0–50 N/mm");
     row("negative", "stiffness", "-1 N/mm", "must be within 0–50 N/mm");
-    row("infinite", "stiffness", "inf N/mm", "must be within 0–50 N/mm");
+    row("infinite", "stiffness", "inf N/mm", "must be a finite number");
     row("below the only bound", "mass", "1 g", "must be at least 0.1 kg");
     row("above the only bound", "gain", "11", "must be at most 10");
     row("a range about zero", "tilt", "61 deg", "must be within -60 to 60 deg");
@@ -150,8 +150,8 @@ class TestParameter : public QObject {
   void values_that_only_a_program_can_write_are_checked() {
     Settings settings;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    QCOMPARE(settings.gain.set({nan}), std::string("is not a number"));
-    QCOMPARE(settings.value.set({nan}), std::string("is not a number"));
+    QCOMPARE(settings.gain.set({nan}), std::string("must be a finite number"));
+    QCOMPARE(settings.value.set({nan}), std::string("must be a finite number"));
     QCOMPARE(settings.gain.set({-infinity}), std::string());
     QCOMPARE(settings.gain.set({}), std::string("needs a number"));
     QVERIFY(!settings.point.set(list({{0.0}, {0.0}, list({})})).empty());

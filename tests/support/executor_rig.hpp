@@ -139,10 +139,14 @@ class ExecutorRig {
   /// "3 fault arm: not finite", one for each event.
   std::vector<std::string> told() const {
     std::vector<std::string> all;
-    for (const Event& event : events)
+    for (const Event& event : events) {
+      const bool refused =
+          event.kind == Event::Kind::edit_refused || event.kind == Event::Kind::acknowledge_refused;
+      const std::string about = refused ? event.detail : event.what;
       all.push_back(std::to_string(event.tick) + " " + to_string(event.kind) +
                     (*event.source != 0 ? std::string(" ") + event.source : std::string()) +
-                    (*event.detail != 0 ? std::string(": ") + event.detail : std::string()));
+                    (about.empty() ? "" : ": " + about));
+    }
     return all;
   }
   void drain() {

@@ -125,7 +125,7 @@ class TestSimulatedLaparoscope : public QObject {
     rig.run(20);
     QVERIFY(truth(rig).allFinite());
     QVERIFY(rig.device->truth_tip->position.z < .06);
-    QVERIFY(rig.fault(FaultCause::encoder_jump) != nullptr);
+    QVERIFY(rig.fault(FaultCause::overload) != nullptr);
     QVERIFY(rig.state() == Gate::State::tripped);
   }
 

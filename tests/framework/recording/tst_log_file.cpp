@@ -127,7 +127,7 @@ class TestLogFile : public QObject {
                   .arg(events.texts[i].at("kind").c_str(), events.texts[i].at("source").c_str(),
                        events.texts[i].at("detail").c_str())
                   .trimmed();
-    QCOMPARE(told, (QStringList{"0 started", "10 edit meter gain", "20 fault meter not finite",
+    QCOMPARE(told, (QStringList{"0 started", "10 edit meter gain", "20 fault meter not finite: an output",
                                 "49 ended"}));
     QCOMPARE(events.numbers[1].at("value"), 4.0);
     QCOMPARE(events.times[2], std::uint64_t{20'000'000});

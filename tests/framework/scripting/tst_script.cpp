@@ -120,7 +120,7 @@ class TestScript : public QObject {
     row("a literal to an input becomes a constant",
         "local a = trocar.Scale { factor = 2, input = \"3 N\" }\n"
         "local run = trocar.run { duration = \"5 ms\" }\n"
-        "assert(run:last(a.value) == 6 and run:last(\"scale_input.value\") == 3)");
+        "assert(run:last(a.value) == 6 and run:last(\"scale.input.value\") == 3)");
     row("a list goes to an input that takes several",
         two +
             "local s = trocar.Sum { terms = { two.value, three.value, \"1 N\", \"2 N\" } }\n"
