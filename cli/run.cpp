@@ -25,6 +25,7 @@ StopFlag interrupted;
 void interrupt(int) {
   interrupted.raise();
   std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
 }
 
 struct RunArguments {

@@ -116,6 +116,25 @@ int run_graph(lua_State* state) {
   return 1;
 }
 
+/// What has no value of its own, a function say, would be published as its address.
+void refuse_opaque(lua_State* state, int index, const std::string& name, int depth) {
+  const int at = lua_absindex(state, index);
+  if (lua_istable(state, at) && depth < 16) {
+    for (const Key& key : ordered_keys(state, at)) {
+      push_value(state, at, key);
+      const std::string part = key.number > 0 ? std::to_string(key.number) : key.text;
+      refuse_opaque(state, -1, name.empty() ? part : name + "." + part, depth + 1);
+      lua_pop(state, 1);
+    }
+    return;
+  }
+  const int type = lua_type(state, at);
+  if (type == LUA_TFUNCTION || type == LUA_TUSERDATA || type == LUA_TTHREAD)
+    throw std::invalid_argument(fmt::format(
+        "publish: \"{}\" is a {}; publish numbers, texts, true, false and tables of them", name,
+        lua_typename(state, type)));
+}
+
 int publish(lua_State* state) {
   if (lua_type(state, 1) != LUA_TSTRING || !lua_istable(state, 2))
     throw std::invalid_argument(
@@ -126,6 +145,7 @@ int publish(lua_State* state) {
         fmt::format("publish(\"{}\"): needs a name of letters, digits and "
                     "underscores",
                     name));
+  refuse_opaque(state, 2, "", 0);
   context(state).session.publish(name, to_literal(state, 2));
   return 0;
 }

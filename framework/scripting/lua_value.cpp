@@ -87,6 +87,11 @@ Where where(lua_State* state) {
   return {};
 }
 
+bool comes_before(const Key& a, const Key& b) {
+  if ((a.number > 0) != (b.number > 0)) return a.number > 0;
+  return a.number != b.number ? a.number < b.number : a.text < b.text;
+}
+
 std::vector<Key> ordered_keys(lua_State* state, int index) {
   const int table = lua_absindex(state, index);
   std::vector<Key> keys;
@@ -98,10 +103,7 @@ std::vector<Key> ordered_keys(lua_State* state, int index) {
     else if (lua_type(state, -1) == LUA_TSTRING)
       keys.push_back({0, lua_tostring(state, -1)});
   }
-  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    if ((a.number > 0) != (b.number > 0)) return a.number > 0;
-    return a.number != b.number ? a.number < b.number : a.text < b.text;
-  });
+  std::sort(keys.begin(), keys.end(), comes_before);
   return keys;
 }
 

@@ -80,6 +80,7 @@ struct Key {
   std::string text{};
 };
 std::vector<Key> ordered_keys(lua_State* state, int index);
+bool comes_before(const Key& a, const Key& b);
 /// Pushes the value of a key.
 void push_value(lua_State* state, int table, const Key& key);
 

@@ -168,6 +168,23 @@ class TestRunCommand : public QObject {
     QVERIFY2(info.status == 0 && info.out.contains("Complete    yes"), info.out + info.err);
   }
 
+  void ctrl_c_ends_a_script_that_never_ends() {
+    const QString path = folder_.filePath("endless.lua");
+    QFile script(path);
+    QVERIFY(script.open(QIODevice::WriteOnly));
+    script.write("io.stderr:write('begun')\nwhile true do end\n");
+    script.close();
+    QProcess process;
+    process.setReadChannel(QProcess::StandardError);
+    process.start(TROCAR_BINARY, {"run", path});
+    QVERIFY(process.waitForReadyRead(10'000));
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(10'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    const QByteArray err = process.readAllStandardError();
+    QVERIFY2(err.contains("endless.lua:2: stopped by the operator"), err);
+  }
+
   void a_realtime_run_reports_lateness() {
     const QString path = folder_.filePath("realtime.json");
     const Ran ran = run_trocar({"run", demo, "--for", "0.5s", "--json", path});

@@ -46,7 +46,7 @@ class TestBackgroundPoller : public QObject {
       ++calls;
       throw 7;
     });
-    QVERIFY_EXCEPTION_THROWN(poller.finish(), int);
+    QVERIFY_THROWS_EXCEPTION(int, poller.finish());
     QCOMPARE(calls.load(), 1);
   }
 

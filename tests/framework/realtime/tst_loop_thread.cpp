@@ -87,9 +87,9 @@ class TestLoopThread : public QObject {
   }
   void what_the_loop_throws_is_rethrown() {
     QFETCH(bool, realtime);
-    QVERIFY_EXCEPTION_THROWN(
-        run_on_loop_thread({.realtime = realtime}, [] { throw std::runtime_error("broken"); }),
-        std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, run_on_loop_thread({.realtime = realtime}, [] {
+                               throw std::runtime_error("broken");
+                             }));
   }
 
   void the_calling_thread_and_its_helpers_keep_their_scheduling() {

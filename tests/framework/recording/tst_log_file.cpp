@@ -127,8 +127,8 @@ class TestLogFile : public QObject {
                   .arg(events.texts[i].at("kind").c_str(), events.texts[i].at("source").c_str(),
                        events.texts[i].at("detail").c_str())
                   .trimmed();
-    QCOMPARE(told, (QStringList{"0 started", "10 edit meter gain", "20 fault meter not finite: an output",
-                                "49 ended"}));
+    QCOMPARE(told, (QStringList{"0 started", "10 edit meter gain",
+                                "20 fault meter not finite: an output", "49 ended"}));
     QCOMPARE(events.numbers[1].at("value"), 4.0);
     QCOMPARE(events.times[2], std::uint64_t{20'000'000});
   }
@@ -223,7 +223,7 @@ class TestLogFile : public QObject {
         QCOMPARE(result.loop.ticks, std::int64_t{5000});
       }
       QCOMPARE(other.rows, 10'000);
-      QVERIFY_EXCEPTION_THROWN(log.close(), std::runtime_error);
+      QVERIFY_THROWS_EXCEPTION(std::runtime_error, log.close());
     }
     const McapReader reader(path());  // what was written before stays readable
     QVERIFY(!reader.complete());
