@@ -350,6 +350,8 @@ class TestScript : public QObject {
         {"1: there is no trocar.Wal", "4: a second mistake"});
     row("publish takes a name and a table", "trocar.publish(\"x\", 3)",
         {"1: trocar.publish takes a name and a table"});
+    row("what has no value of its own is not published", "trocar.publish(\"x\", { a = { print } })",
+        {"1: publish: \"a.1\" is a function"});
     row("the name is one", "trocar.publish(\"no name\", {})", {"1: publish(\"no name\"): needs a"});
   }
   void running() { judge(); }
@@ -407,6 +409,10 @@ class TestScript : public QObject {
     row("pairs has an order",
         "local t, s = { b = 1, a = 2, 7, 8, c = 3 }, \"\"\n"
         "for k in pairs(t) do s = s .. k end\nassert(s == \"12abc\", s)");
+    row("next goes in the same order, and a loop may clear what it visits",
+        "local t = { c = 1, a = 1, b = 1, 1, 1, [true] = 1 }\nlocal s = \"\"\n"
+        "for k in next, t do s = s .. tostring(k) t[k] = nil end\n"
+        "assert(s == \"12abctrue\" and next(t) == nil, s)");
     row("three mistakes are three findings", "trocar.Wal {}\ntrocar.Foo {}\nlocal x = nil + 1",
         {"1: trocar.Wal", "2: trocar.Foo", "3: attempt to perform arithmetic"});
   }
