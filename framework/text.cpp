@@ -77,8 +77,8 @@ std::string nearest(std::string_view text, const std::vector<std::string>& candi
   const std::size_t most = std::min(std::max<std::size_t>(2, text.size() / 3), text.size() / 2);
   std::size_t fewest = most + 1;
   for (const std::string& candidate : candidates) {
-    const auto [shorter, longer] = std::minmax(text.size(), candidate.size());
-    if (longer - shorter > most) continue;
+    const std::size_t longer = std::max(text.size(), candidate.size());
+    if (longer - std::min(text.size(), candidate.size()) > most) continue;
     const std::size_t n = edits(text, candidate);
     if (n < fewest) {
       fewest = n;

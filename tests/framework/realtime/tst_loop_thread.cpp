@@ -130,10 +130,12 @@ class TestLoopThread : public QObject {
     bool ran = false;
     const QStringList missing = shortcomings_without_privileges(ran);
     QVERIFY(ran);
-    const QStringList memory = missing.filter("memory is not locked");
+    [[maybe_unused]] const QStringList memory = missing.filter("memory is not locked");
     const QStringList priority = missing.filter("no real-time priority");
+#if !defined(__SANITIZE_ADDRESS__)  // which makes mlockall() do nothing, with success
     QCOMPARE(memory.size(), 1);
     QVERIFY(memory[0].contains("memlock") && memory[0].contains("limits.conf"));
+#endif
     QCOMPARE(priority.size(), 1);
     QVERIFY(priority[0].contains("rtprio") && priority[0].contains("limits.conf"));
   }
