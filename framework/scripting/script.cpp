@@ -217,9 +217,12 @@ void watch_stop_flag(lua_State* state) {
   constexpr int instructions_between_looks = 100'000;
   lua_sethook(
       state,
-      [](lua_State* s, lua_Debug*) {
+      [](lua_State* s, lua_Debug* at) {
         const StopFlag* stop = context(s).session.options().stop;
-        if (stop != nullptr && stop->raised()) luaL_error(s, "stopped by the operator");
+        if (stop == nullptr || !stop->raised()) return;
+        lua_getinfo(s, "Sl", at);
+        lua_pushfstring(s, "%s:%d: stopped by the operator", at->short_src, at->currentline);
+        lua_error(s);
       },
       LUA_MASKCOUNT, instructions_between_looks);
 }
