@@ -214,7 +214,7 @@ void RowLayout::capture(const RowHeader& header, std::span<const std::int64_t> t
                         const std::byte* memory, std::span<std::byte> row) const RT_SAFE {
   if (has_gaps_) std::memset(row.data(), 0, row.size());  // or old bytes would get into the log
   std::memcpy(row.data(), &header, sizeof header);
-  std::memcpy(row.data() + sizeof header, times.data(), times.size_bytes());
+  if (!times.empty()) std::memcpy(row.data() + sizeof header, times.data(), times.size_bytes());
   for (const Segment& segment : segments_)
     std::memcpy(row.data() + segment.row_offset, memory + segment.memory_offset, segment.size);
 }

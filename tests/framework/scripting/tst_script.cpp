@@ -66,8 +66,10 @@ class TestScript : public QObject {
     row("an unknown key comes with the nearest",
         wall + "trocar.Wall { name = \"w\", at = laparoscope.tip, stifness = \"1 N/mm\" }",
         {"3: w (a Wall) has no input or parameter \"stifness\", did you mean \"stiffness\"?"});
-    row("a key that is no text is refused", "trocar.Constant { value = 1, [7] = 2, [1.5] = 3 }",
-        {"1: entry [7]", "1: entry [1.5]"});
+    row("a key that is no text is refused",
+        "trocar.Constant { value = 1, [7] = 2 }\ntrocar.Constant { name = \"b\", value = 1, [1.5] "
+        "= 3 }",
+        {"1: entry [7]", "2: entry [1.5]"});
     row("an argument that is no table", "trocar.Constant(3)", {"1: Constant takes one table"});
     row("a wrong unit names the right one",
         wall + "trocar.Wall { name = \"w\", at = laparoscope.tip, stiffness = \"2.2 N\" }",
