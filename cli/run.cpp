@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
@@ -32,16 +35,25 @@ struct RunArguments {
   ScriptOptions script;
   std::string duration;
   std::string clock = "realtime";
-  std::string record;
+  std::optional<std::string> record;
   std::string json;
 };
+
+/// A file that cannot be written is found before the run, and one that was there stays whole.
+void check_writable(const std::string& path) {
+  const bool was_there = std::filesystem::exists(path);
+  const bool writable = std::ofstream(path, std::ios::binary | std::ios::app).good();
+  if (!was_there) std::remove(path.c_str());
+  if (!writable)
+    throw CLI::ValidationError("--json", fmt::format("{} cannot be written", in_quotes(path)));
+}
 
 SessionOptions session_options(const RunArguments& arguments) {
   SessionOptions options;
   options.clock = arguments.clock == "simulated" ? ClockKind::simulated : ClockKind::realtime;
   if (!arguments.duration.empty()) options.duration = duration_of(arguments.duration, "--for");
   options.seed = arguments.script.seed;
-  if (!arguments.record.empty()) options.record = arguments.record;
+  if (arguments.record) options.record = arguments.record;
   options.stop = &interrupted;
   options.print_to_stderr = arguments.json == "-";
   return options;
@@ -57,6 +69,7 @@ void write_json(const std::string& path, const std::string& text) {
 }
 
 int run(const RunArguments& arguments) {
+  if (!arguments.json.empty() && arguments.json != "-") check_writable(arguments.json);
   Registry registry;
   register_components(registry);
   SessionOptions options = session_options(arguments);
@@ -95,9 +108,11 @@ void add_run(CLI::App& app, int& status) {
                       "How long, e.g. 5s (default: until Ctrl-C; 10 s in simulated time)");
   command->add_option("--clock", arguments->clock, "realtime, or simulated: as fast as it goes")
       ->check(CLI::IsMember({"realtime", "simulated"}));
-  command->add_option("--record", arguments->record, "Write an MCAP log to this file");
-  command->add_option("--json", arguments->json,
-                      "Write the report as JSON to this file, - for stdout");
+  command->add_option("--record", arguments->record, "Write an MCAP log to this file")
+      ->check(check_file_name);
+  command
+      ->add_option("--json", arguments->json, "Write the report as JSON to this file, - for stdout")
+      ->check(check_file_name);
   command->footer(
       "Example:\n"
       "  trocar run scripts/tutorial/01_feel_a_wall.lua --for 5s --clock simulated\n"

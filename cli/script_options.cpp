@@ -42,6 +42,10 @@ void ScriptOptions::split(Graph::Overrides& parameters, Graph::Overrides& argume
   }
 }
 
+std::string check_file_name(const std::string& text) {
+  return text.empty() ? "needs a file name, not \"\"" : "";
+}
+
 double duration_of(const std::string& text, const std::string& option) {
   try {
     const Quantity quantity = parse_quantity(text);

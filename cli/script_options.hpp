@@ -22,6 +22,9 @@ struct ScriptOptions {
   void split(Graph::Overrides& parameters, Graph::Overrides& arguments) const;
 };
 
+/// A check for options that take a file's name: what is wrong, or "".
+std::string check_file_name(const std::string& text);
+
 /// "5s", "200 ms" and "1.5 min" in seconds.
 /// @throw CLI::ValidationError with what is allowed
 double duration_of(const std::string& text, const std::string& option);

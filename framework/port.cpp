@@ -105,7 +105,7 @@ const std::string& Port::owner_name() const {
 
 OutputPort::OutputPort(Component* owner, std::string_view name, const TypeInfo* type,
                        const PortOptions& options)
-    : Port(owner, name, type, options), truth_(options.truth) {
+    : Port(owner, name, type, options) {
   owner->add(this);
 }
 

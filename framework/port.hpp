@@ -52,7 +52,6 @@ struct PortOptions {
   int axes = 0;                          // of Jacobian; Joints count their units
   bool optional = false;                 // an input that may stay unconnected
   bool feedthrough = true;               // an input that this tick's outputs depend on
-  bool truth = false;                    // an output that only a simulation can know
   std::vector<std::string> labels = {};  // of an Enumeration
 };
 
@@ -90,7 +89,8 @@ class Port {
 
 class OutputPort : public Port {
  public:
-  bool truth() const { return truth_; }
+  /// Only a simulation can know it: it is named "truth.position" or the like.
+  bool truth() const { return name().starts_with("truth."); }
   SignalQuality quality{};
 
   /// Gives the output its place in the graph's memory, filled with its initial value.
@@ -102,9 +102,6 @@ class OutputPort : public Port {
              const PortOptions& options);
   ~OutputPort() = default;
   std::byte* data_ = nullptr;
-
- private:
-  bool truth_;
 };
 
 /// Where an input reads: an output, and how far into its value.

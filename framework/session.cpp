@@ -9,6 +9,7 @@
 #include "framework/graph_json.hpp"
 #include "framework/literal_json.hpp"
 #include "framework/logger.hpp"
+#include "framework/run_settings_json.hpp"
 
 namespace trocar {
 namespace {
@@ -42,6 +43,7 @@ Session::Session(const Registry& registry, SessionOptions options)
 }
 
 void Session::add_script(std::string name, std::string text) {
+  if (log_) try_log([&] { log_->attach(name, "text/x-lua", text); });
   scripts_.emplace_back(std::move(name), std::move(text));
 }
 
@@ -84,6 +86,11 @@ const SessionRun& Session::run(RunOptions wanted) {
   if (const Findings findings = check(graph_, wanted.wiring); !findings.empty())
     throw BrokenGraph(findings);  // before a log is begun
   open_log();
+  if (log_)
+    try_log([&] {
+      log_->attach(fmt::format("run{}.json", runs_.size() + 1), "application/json",
+                   run_settings_json(wanted, options_.set));
+    });
   auto one = std::make_unique<SessionRun>();
   std::unique_ptr<Recorder> recorder;
   wanted.sinks.push_back(&one->highlights);

@@ -59,19 +59,14 @@ class SimulatedLaparoscope final : public Device {
       {.unit = laparoscope_effort_units, .doc = "what the amplifiers make, hold included"}};
   Output<double> scale{this, "scale", {.doc = "share of `effort` that the gate let pass"}};
   Output<Joints> truth_position{
-      this,
-      "truth_position",
-      {.unit = laparoscope_position_units, .doc = "where the axes are", .truth = true}};
+      this, "truth.position", {.unit = laparoscope_position_units, .doc = "where the axes are"}};
   Output<Joints> truth_velocity{
-      this,
-      "truth_velocity",
-      {.unit = laparoscope_velocity_units, .doc = "of the axes", .truth = true}};
-  Output<PointMotion> truth_tip{
-      this, "truth_tip", {.frame = "device", .doc = "motion of E", .truth = true}};
+      this, "truth.velocity", {.unit = laparoscope_velocity_units, .doc = "of the axes"}};
+  Output<PointMotion> truth_tip{this, "truth.tip", {.frame = "device", .doc = "motion of E"}};
   Output<Vector3> truth_hand_force{
       this,
-      "truth_hand_force",
-      {.unit = "N", .frame = "device", .doc = "of the hand on the tool at E", .truth = true}};
+      "truth.hand_force",
+      {.unit = "N", .frame = "device", .doc = "of the hand on the tool at E"}};
 
   MountParameter mount{this};
   LaparoscopeUseParameters use{this};

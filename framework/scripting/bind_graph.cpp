@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <cctype>
+#include <algorithm>
 
 #include "framework/scripting/script_context.hpp"
 #include "framework/text.hpp"
@@ -24,6 +24,11 @@ std::vector<std::string> member_names(const Graph::Node& node) {
   return names;
 }
 
+bool starts_a_name(const Component& component, const std::string& prefix) {
+  return std::any_of(component.outputs().begin(), component.outputs().end(),
+                     [&](const OutputPort* port) { return port->name().starts_with(prefix); });
+}
+
 /// A member of a component or group, pushed; false when there is none of that name.
 bool push_member(lua_State* state, const Graph& graph, NodeId id, const std::string& name) {
   const Graph::Node& node = graph.node(id);
@@ -42,6 +47,8 @@ bool push_member(lua_State* state, const Graph& graph, NodeId id, const std::str
     push(state, InputRef{id, name});
   else if (const auto part = exports.parts.find(name); part != exports.parts.end())
     push(state, NodeRef{part->second});
+  else if (node.component && starts_a_name(*node.component, name + "."))
+    push(state, PortGroupRef{id, name + "."});
   else
     return false;
   return true;
@@ -58,6 +65,17 @@ int node_index(lua_State* state) {
   const std::string name = luaL_checkstring(state, 2);
   if (push_member(state, graph, id, name)) return 1;
   const Graph::Node& node = graph.node(id);
+  return push_placeholder(state, node.name + "." + name,
+                          fmt::format("{} (a {}) has no \"{}\"{}", node.name, type_of(node), name,
+                                      suggestion(name, member_names(node))));
+}
+
+int port_group_index(lua_State* state) {
+  const Graph& graph = context(state).graph();
+  const PortGroupRef& ports = *get<PortGroupRef>(state, 1);
+  const std::string name = ports.prefix + luaL_checkstring(state, 2);
+  if (push_member(state, graph, ports.node, name)) return 1;
+  const Graph::Node& node = graph.node(ports.node);
   return push_placeholder(state, node.name + "." + name,
                           fmt::format("{} (a {}) has no \"{}\"{}", node.name, type_of(node), name,
                                       suggestion(name, member_names(node))));
@@ -306,6 +324,8 @@ int push_placeholder(lua_State* state, const std::string& what, const std::strin
 void open_graph(lua_State* state) {
   const luaL_Reg node[] = {{"__index", guarded<node_index>}, {nullptr, nullptr}};
   make_metatable<NodeRef>(state, node);
+  const luaL_Reg ports[] = {{"__index", guarded<port_group_index>}, {nullptr, nullptr}};
+  make_metatable<PortGroupRef>(state, ports);
   open_signals(state);
 
   lua_newtable(state);

@@ -121,6 +121,8 @@ int to_string(lua_State* state) {
     text = fmt::format("the parameter {}.{}", graph.node(parameter->node).name, parameter->name);
   else if (const auto* site = get<SiteRef>(state, 1))
     text = "the site " + site->name;
+  else if (const auto* ports = get<PortGroupRef>(state, 1))
+    text = fmt::format("the outputs {}.{}*", graph.node(ports->node).name, ports->prefix);
   else if (const auto* placeholder = get<Placeholder>(state, 1))
     text = placeholder->what + " (which does not exist)";
   lua_pushstring(state, text.c_str());
@@ -233,6 +235,7 @@ void open_signals(lua_State* state) {
   const luaL_Reg site[] = {{"__index", guarded<site_index>}, {nullptr, nullptr}};
   make_metatable<SiteRef>(state, site);
   complete_metatable<NodeRef>(state);
+  complete_metatable<PortGroupRef>(state);
   complete_metatable<OutputRef>(state);
   complete_metatable<InputRef>(state);
   complete_metatable<ParameterRef>(state);

@@ -6,8 +6,6 @@
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "framework/scripting/script_context.hpp"
 #include "framework/text.hpp"
@@ -203,6 +201,7 @@ int open_world(lua_State* state) {
   open_groups(state);
   open_runs(state);
   open_arguments(state);
+  open_require(state);
   lua_setglobal(state, "trocar");
   lua_pushglobaltable(state);
   lua_newtable(state);
@@ -225,17 +224,6 @@ void watch_stop_flag(lua_State* state) {
         lua_error(s);
       },
       LUA_MASKCOUNT, instructions_between_looks);
-}
-
-/// require() finds files beside the script.
-void set_search_path(lua_State* state, const std::filesystem::path& script) {
-  const std::filesystem::path folder = script.has_parent_path() ? script.parent_path() : ".";
-  lua_getglobal(state, "package");
-  lua_pushstring(state, ((folder / "?.lua").string()).c_str());
-  lua_setfield(state, -2, "path");
-  lua_pushstring(state, "");
-  lua_setfield(state, -2, "cpath");
-  lua_pop(state, 1);
 }
 
 /// "file:3: message" becomes a finding at that line.
@@ -321,26 +309,24 @@ void execute(lua_State* state, ScriptContext& script, const std::string& path,
 }  // namespace lua
 
 void run_script(Session& session, const std::string& path, Graph::Overrides arguments) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  if (!file || std::filesystem::is_directory(path)) {
+  const auto text = lua::read_file(path);
+  if (!text) {
     Findings unreadable;
     unreadable.add({path, 0}, "there is no script that can be read");
     throw BrokenGraph(unreadable);
   }
-  session.add_script(std::filesystem::path(path).filename().string(), text.str());
+  session.add_script(std::filesystem::path(path).filename().string(), *text);
 
-  lua::ScriptContext script{session, std::move(arguments)};
+  lua::ScriptContext script{session, std::move(arguments),
+                            std::filesystem::path(path).parent_path()};
   const std::unique_ptr<lua_State, void (*)(lua_State*)> state(luaL_newstate(), &lua_close);
   lua_pushlightuserdata(state.get(), &script);
   lua_rawsetp(state.get(), LUA_REGISTRYINDEX, &lua::context_key);
   lua_pushcfunction(state.get(), lua::open_world);
   if (lua_pcall(state.get(), 0, 0, 0) != LUA_OK)
     throw std::runtime_error(fmt::format("Lua does not start: {}", lua_tostring(state.get(), -1)));
-  lua::set_search_path(state.get(), path);
   lua::watch_stop_flag(state.get());
-  lua::execute(state.get(), script, path, text.str());
+  lua::execute(state.get(), script, path, *text);
 
   lua::report_unused_arguments(script);
   if (!script.ran || session.options().check_only) session.graph().report_unused_overrides();

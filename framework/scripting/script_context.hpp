@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,6 +20,11 @@ struct NodeRef {
 struct SiteRef {
   Site site;
   std::string name;
+};
+/// A component's ports of a common first name: `device.truth`.
+struct PortGroupRef {
+  NodeId node = 0;
+  std::string prefix;  // "truth."
 };
 /// Stands for something that does not exist, so that the script goes on and every mistake is
 /// found; the finding was made where it arose.
@@ -49,6 +56,10 @@ struct Meta<SiteRef> {
   static constexpr const char* name = "trocar.site";
 };
 template <>
+struct Meta<PortGroupRef> {
+  static constexpr const char* name = "trocar.ports";
+};
+template <>
 struct Meta<Placeholder> {
   static constexpr const char* name = "trocar.placeholder";
 };
@@ -61,6 +72,7 @@ struct Meta<RunRef> {
 struct ScriptContext {
   Session& session;
   Graph::Overrides arguments;
+  std::filesystem::path folder;       // of the script
   std::vector<std::string> scopes{};  // names of the groups that are being built
   bool ran = false;                   // the script called trocar.run
   bool stopped = false;               // the operator ended a run, and the script with it
@@ -89,6 +101,11 @@ void open_signals(lua_State* state);     // outputs, inputs, sites, parameters: 
 void open_arithmetic(lua_State* state);  // + - * on outputs: after open_graph
 void open_groups(lua_State* state);
 void open_runs(lua_State* state);
+/// require() takes what is preloaded, and files beside the script; no C modules.
+void open_require(lua_State* state);
+
+/// Its content, or nothing when it cannot be read.
+std::optional<std::string> read_file(const std::filesystem::path& path);
 
 /// Calls constructor `type` with the table at the top of the stack; pushes the component.
 /// @param spare_name where the table gives none; "" is the type's

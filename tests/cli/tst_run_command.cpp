@@ -72,8 +72,10 @@ class TestRunCommand : public QObject {
     row("a log that cannot be written", "", {"--record", "/nowhere/a.mcap"}, 1,
         "cannot create '/nowhere/a.mcap': No such file or directory");
     row("a folder for a log", "", {"--record", "/"}, 1, "cannot create '/'");
-    row("a report that cannot be written", "", {"--for", "10ms", "--json", "/nowhere/a"}, 1,
-        "cannot write the report \"/nowhere/a\"");
+    row("a log without a name", "", {"--record", ""}, 2, "--record: needs a file name");
+    row("a report without a name", "", {"--json", ""}, 2, "--json: needs a file name");
+    row("a report that cannot be written, before the run", "", {"--json", "/nowhere/a"}, 2,
+        "--json: \"/nowhere/a\" cannot be written");
     row("a fault",
         "local l = trocar.Laparoscope { hand = \"none\" }\n"
         "trocar.Spring { at = l.tip, stiffness = \"1 N/mm\", about = \"center\",\n"

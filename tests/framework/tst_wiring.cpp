@@ -254,11 +254,11 @@ class TestWiring : public QObject {
     if (way == "through") rig.wire(device, "secret", statics, "offset");
     const NodeId newton = rig.add("GenericSum", "newton");
     if (way == "load" || way == "behind") {
-      rig.wire(device, "truth_force", way == "load" ? device : other, "load");
+      rig.wire(device, "truth.force", way == "load" ? device : other, "load");
     }
     if (way == "behind") rig.wire(other, "position.axis1", statics, "offset");
     rig.wire(number, "value", newton, "inputs");
-    if (way == "straight") rig.wire(device, "truth_effort", other, "effort");
+    if (way == "straight") rig.wire(device, "truth.effort", other, "effort");
     const QString said = rig.findings();
     QCOMPARE(said.contains("only a simulation knows arm."), refused);
     QCOMPARE(said.isEmpty(), !refused);

@@ -24,8 +24,8 @@ class TestDevice final : public Device {
   Output<Joints> effort_sent{this, "effort_sent", {.unit = "N, N, N"}};
   Output<double> scale{this, "scale", {}};
   Output<double> secret{this, "secret", {.unit = "m", .truth = true}};
-  Output<double> truth_force{this, "truth_force", {.unit = "N", .truth = true}};
-  Output<Joints> truth_effort{this, "truth_effort", {.unit = "N, N, N", .truth = true}};
+  Output<double> truth_force{this, "truth.force", {.unit = "N"}};
+  Output<Joints> truth_effort{this, "truth.effort", {.unit = "N, N, N"}};
   Parameter<bool> declares_limits{this, "declares_limits", {.initial = "true"}};
 
   DeviceLimits declared;

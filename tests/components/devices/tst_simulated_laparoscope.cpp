@@ -263,7 +263,7 @@ class TestSimulatedLaparoscope : public QObject {
     const NodeId wall = *rig.graph.add("TestFixture", "wall", {"test", 1});
     Site site = rig.graph.node(rig.group).exports.sites.at("tip");
     const NodeId device = rig.graph.node(rig.group).exports.parts.at("device");
-    site.position = {device, "truth_tip", "position"};
+    site.position = {device, "truth.tip", "position"};
     rig.graph.place(wall, site, {"test", 1});
     const Findings findings = check(rig.graph, {});
     QVERIFY2(findings.text().find("only a simulation knows") != std::string::npos,

@@ -5,6 +5,7 @@
 
 #include <QDir>
 
+#include "framework/recording/mcap_reader.hpp"
 #include "tests/support/script_bench.hpp"
 
 using namespace trocar;
@@ -402,6 +403,13 @@ class TestScript : public QObject {
             "assert(getmetatable(wall) == false and rawget(_G, \"debug\") == "
             "nil)\nrequire(\"debug\")",
         {"4: module 'debug' not found"});
+    row("a truth of the simulation",
+        device +
+            "local z = laparoscope.device.truth.tip.position.z\n"
+            "local run = trocar.run { duration = \"5 ms\" }\n"
+            "assert(run:last(z) == run:last(\"laparoscope.device.truth.tip.position.z\"))");
+    row("a truth that there is not", device + "local z = laparoscope.device.truth.tipp",
+        {"2: (a SimulatedLaparoscope) has no \"truth.tipp\", did you mean \"truth.tip\""});
     row("os.exit", "os.exit(0)", {"1: os.exit would leave half a log"});
     row("work after an error that was caught",
         wall +
@@ -425,6 +433,33 @@ class TestScript : public QObject {
     for (const QString& path : {folder.path(), folder.filePath("none.lua")})
       QCOMPARE(run_script_file(path).findings,
                QStringList(path + ": there is no script that can be read"));
+  }
+
+  void what_a_script_requires_belongs_to_its_log() {
+    const QTemporaryDir folder;
+    const auto write = [&](const char* name, const QByteArray& text) {
+      QFile file(folder.filePath(name));
+      QVERIFY(file.open(QFile::WriteOnly) && file.write(text) == text.size());
+    };
+    QDir(folder.path()).mkdir("parts");
+    write("parts/force.lua", "return \"2 N\"");
+    write("late.lua", "return 1");
+    write("broken.lua", "return (");
+    write("script.lua",
+          "trocar.Constant { value = require(\"parts.force\") }\n"
+          "trocar.run { duration = \"5 ms\" }\n"
+          "assert(require(\"late\") == 1 and not pcall(require, \"broken\"))\n"
+          "require(\"nowhere\")");
+    const std::string log = folder.filePath("log.mcap").toStdString();
+    const ScriptOutcome outcome =
+        run_script_file(folder.filePath("script.lua"), {}, {.record = log});
+    QVERIFY2(match(outcome.findings, {"4: module 'nowhere' not found"}),
+             qPrintable(outcome.findings.join('\n')));
+    QStringList attached;
+    for (const auto& one : McapReader(log).attachments())
+      attached << QString::fromStdString(one.name);
+    QCOMPARE(attached,
+             QStringList({"parts/force.lua", "script.lua", "graph.json", "run1.json", "late.lua"}));
   }
 
   void ten_mistakes_are_ten_findings() {

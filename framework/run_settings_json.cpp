@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "framework/run_settings_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "framework/literal_json.hpp"
+
+namespace trocar {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json value_of(const Literal& literal) {
+  return Json::parse(literal_json(literal));
+}
+
+Json settings(const Graph::Overrides& overrides) {
+  Json all = Json::object();
+  for (const auto& [key, override] : overrides) all[key] = value_of(override.value);
+  return all;
+}
+
+}  // namespace
+
+std::string run_settings_json(const RunOptions& options, const Graph::Overrides& overrides) {
+  Json edits = Json::array();
+  for (const Edit& edit : options.edits)
+    edits.push_back({{"at", edit.at}, {"key", edit.key}, {"value", value_of(edit.value)}});
+  const Json all = {{"rate", options.wiring.rate},
+                    {"duration", options.duration ? Json(*options.duration) : Json()},
+                    {"seed", options.wiring.seed},
+                    {"set", settings(options.wiring.set)},
+                    {"edits", edits},
+                    {"overrides", settings(overrides)}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace trocar
