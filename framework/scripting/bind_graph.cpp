@@ -41,12 +41,12 @@ bool push_member(lua_State* state, const Graph& graph, NodeId id, const std::str
     push(state, input->second);
   else if (node.component && node.component->find_output(name) != nullptr)
     push(state, OutputRef{id, name, ""});
+  else if (const auto part = exports.parts.find(name); part != exports.parts.end())
+    push(state, NodeRef{part->second});  // before a parameter that says of which kind it is
   else if (node.settings().find_parameter(name) != nullptr)
     push(state, ParameterRef{id, name});
   else if (node.component && node.component->find_input(name) != nullptr)
     push(state, InputRef{id, name});
-  else if (const auto part = exports.parts.find(name); part != exports.parts.end())
-    push(state, NodeRef{part->second});
   else if (node.component && starts_a_name(*node.component, name + "."))
     push(state, PortGroupRef{id, name + "."});
   else

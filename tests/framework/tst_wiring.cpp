@@ -20,8 +20,10 @@ struct Rig {
   NodeId add(std::string_view type, std::string_view name = "") {
     return graph.add(type, name, here()).value();
   }
+  /// @param output a port, or a field of one: "position.axis1"
   void wire(NodeId from, std::string_view output, NodeId to, std::string_view input) {
-    const std::size_t dot = std::min(output.find('.'), output.size());
+    const bool is_port = graph.node(from).component->find_output(output) != nullptr;
+    const std::size_t dot = is_port ? output.size() : std::min(output.find('.'), output.size());
     graph.connect({from, std::string(output.substr(0, dot)),
                    std::string(dot < output.size() ? output.substr(dot + 1) : "")},
                   {to, std::string(input)}, here());
@@ -245,13 +247,13 @@ class TestWiring : public QObject {
     const NodeId follower = rig.add("Follower");
     const NodeId number = rig.add("Number");
     rig.wire(statics, "effort", device, "effort");
-    rig.wire(way == "beside" ? device : number, way == "beside" ? "secret" : "value", follower,
-             "input");
+    rig.wire(way == "beside" ? device : number, way == "beside" ? "truth.height" : "value",
+             follower, "input");
     if (way == "late") {
-      rig.wire(device, "secret", follower, "late");
+      rig.wire(device, "truth.height", follower, "late");
       rig.wire(follower, "value", statics, "offset");
     }
-    if (way == "through") rig.wire(device, "secret", statics, "offset");
+    if (way == "through") rig.wire(device, "truth.height", statics, "offset");
     const NodeId newton = rig.add("GenericSum", "newton");
     if (way == "load" || way == "behind") {
       rig.wire(device, "truth.force", way == "load" ? device : other, "load");

@@ -23,7 +23,7 @@ class TestDevice final : public Device {
   Input<double> load{this, "load", {.unit = "N", .optional = true, .feedthrough = false}};
   Output<Joints> effort_sent{this, "effort_sent", {.unit = "N, N, N"}};
   Output<double> scale{this, "scale", {}};
-  Output<double> secret{this, "secret", {.unit = "m", .truth = true}};
+  Output<double> truth_height{this, "truth.height", {.unit = "m"}};
   Output<double> truth_force{this, "truth.force", {.unit = "N"}};
   Output<Joints> truth_effort{this, "truth.effort", {.unit = "N, N, N"}};
   Parameter<bool> declares_limits{this, "declares_limits", {.initial = "true"}};

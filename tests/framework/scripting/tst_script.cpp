@@ -455,11 +455,11 @@ class TestScript : public QObject {
         run_script_file(folder.filePath("script.lua"), {}, {.record = log});
     QVERIFY2(match(outcome.findings, {"4: module 'nowhere' not found"}),
              qPrintable(outcome.findings.join('\n')));
+    const McapReader reader(log);
     QStringList attached;
-    for (const auto& one : McapReader(log).attachments())
-      attached << QString::fromStdString(one.name);
+    for (const auto& one : reader.attachments()) attached << QString::fromStdString(one.name);
     QCOMPARE(attached,
-             QStringList({"parts/force.lua", "script.lua", "graph.json", "run1.json", "late.lua"}));
+             QStringList({"script.lua", "parts/force.lua", "graph.json", "run1.json", "late.lua"}));
   }
 
   void ten_mistakes_are_ten_findings() {
