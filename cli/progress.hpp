@@ -11,6 +11,8 @@ namespace trocar::cli {
 /// lateness, faults.
 class Progress final : public RowSink {
  public:
+  std::string_view reader_name() const override { return "progress"; }
+  bool needs_every_row() const override { return false; }
   void begin(const RowLayout& layout, const WiredGraph& graph) override;
   void row(std::span<const std::byte> row) override;
   void event(const Event& event) override;

@@ -17,7 +17,8 @@ struct Event {
     edit_refused,
     gate,
     acknowledged,
-    acknowledge_refused
+    acknowledge_refused,
+    rows_missed  // by who writes it down: `value` records before this one
   };
   Kind kind = Kind::started;
   std::int64_t tick = 0;

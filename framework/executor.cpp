@@ -266,24 +266,28 @@ void Executor::report_changes(const Tick& tick) RT_SAFE {
   }
 }
 
-std::span<std::byte> Executor::room(std::size_t size) RT_SAFE {
-  return simulated_ ? options_.records->begin(size) : options_.records->try_begin(size);
+void Executor::hand_over(RecordKind kind) RT_SAFE {
+  const auto tag = static_cast<std::uint32_t>(kind);
+  if (simulated_)
+    options_.records->commit_when_read(tag);
+  else
+    options_.records->commit(tag);
 }
 
 void Executor::send(const Event& event) RT_SAFE {
   if (options_.records == nullptr) return;
-  const std::span<std::byte> record = room(sizeof event);
+  const std::span<std::byte> record = options_.records->begin(sizeof event);
   if (record.empty()) {
     ++statistics_.rows_lost;
     return;
   }
   std::memcpy(record.data(), &event, sizeof event);
-  options_.records->commit(static_cast<std::uint32_t>(RecordKind::event));
+  hand_over(RecordKind::event);
 }
 
 void Executor::send_row(const Tick& tick, const Slot& slot) RT_SAFE {
   if (options_.records == nullptr) return;
-  const std::span<std::byte> row = room(options_.layout->size());
+  const std::span<std::byte> row = options_.records->begin(options_.layout->size());
   if (row.empty()) {
     ++statistics_.rows_lost;
     return;
@@ -302,7 +306,7 @@ void Executor::send_row(const Tick& tick, const Slot& slot) RT_SAFE {
     header.duration = last_duration_;
   }
   options_.layout->capture(header, times_, graph_.memory(), row);
-  options_.records->commit(static_cast<std::uint32_t>(RecordKind::row));
+  hand_over(RecordKind::row);
   ++statistics_.rows;
 }
 

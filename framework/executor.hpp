@@ -10,7 +10,7 @@
 #include "framework/event.hpp"
 #include "framework/gate.hpp"
 #include "framework/parameter_ramps.hpp"
-#include "framework/realtime/record_ring.hpp"
+#include "framework/realtime/broadcast_ring.hpp"
 #include "framework/realtime/stop_flag.hpp"
 #include "framework/realtime/timing_histogram.hpp"
 #include "framework/recording/row_layout.hpp"
@@ -25,17 +25,17 @@ struct ExecutorOptions {
   double edit_ramp = 0.2;             // [s] of a live edit
   std::vector<Command> schedule{};    // by not_before
   CommandQueue* commands = nullptr;   // from another thread
-  RecordRing* records = nullptr;      // rows and events go there
+  BroadcastRing* records = nullptr;   // rows and events go there
   const RowLayout* layout = nullptr;  // of the rows
   const StopFlag* stop = nullptr;
 };
 
 /// Figures of a run.
 struct LoopStatistics {
-  std::int64_t ticks = 0;    // that were run
-  std::int64_t skipped = 0;  // slots that were not
-  std::int64_t rows = 0;     // handed over
-  std::int64_t rows_lost = 0;
+  std::int64_t ticks = 0;      // that were run
+  std::int64_t skipped = 0;    // slots that were not
+  std::int64_t rows = 0;       // handed over
+  std::int64_t rows_lost = 0;  // rows and events that no ring could take
   TimingHistogram lateness;
   TimingHistogram duration;
   std::vector<TimingHistogram> components{};  // in the order of the schedule
@@ -82,7 +82,7 @@ class Executor {
   void report_changes(const Tick& tick) RT_SAFE;
   void send(const Event& event) RT_SAFE;
   void send_row(const Tick& tick, const Slot& slot) RT_SAFE;
-  std::span<std::byte> room(std::size_t size) RT_SAFE;
+  void hand_over(RecordKind kind) RT_SAFE;
 
   WiredGraph& graph_;
   ExecutorOptions options_;

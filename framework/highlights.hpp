@@ -29,6 +29,7 @@ class Highlights final : public RowSink {
     std::vector<Vector3> values{};
   };
 
+  std::string_view reader_name() const override { return "highlights"; }
   void begin(const RowLayout& layout, const WiredGraph& graph) override;
   void row(std::span<const std::byte> row) override;
 

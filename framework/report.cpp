@@ -130,6 +130,8 @@ std::string faults_text(const RunResult& result) {
   for (const std::string& shortcoming : result.shortcomings)
     text += fmt::format("  not real-time: {}\n", shortcoming);
   for (const std::string& lost : result.lost) text += fmt::format("  LOST: {}\n", lost);
+  for (const ReaderLoss& loss : result.missed)
+    text += fmt::format("  {}: {}\n", loss.matters ? "MISSED" : "missed", loss.text());
   return text;
 }
 
@@ -154,7 +156,8 @@ std::string short_run_text(const SessionRun& run, std::size_t number) {
     if (one.is_force)
       text += fmt::format(", {} up to {:.2f} N", one.name.substr(0, one.name.rfind('.')), one.peak);
   if (result.interrupted) text += ", stopped by the operator";
-  const bool sound = result.faults.empty() && result.shortcomings.empty() && result.lost.empty();
+  const bool sound = result.faults.empty() && result.shortcomings.empty() && result.lost.empty() &&
+                     result.missed.empty();
   return text + (sound ? ", no faults\n" : "\n" + faults_text(result));
 }
 
@@ -232,14 +235,18 @@ std::string report_text(const Session& session) {
   std::string text;
   std::int64_t rows = 0;
   std::int64_t lost = 0;
+  std::int64_t missed = 0;  // by the recorder
   for (std::size_t i = 0; i < session.runs().size(); ++i) {
     const SessionRun& run = *session.runs()[i];
     text += session.runs().size() > 1 ? short_run_text(run, i + 1) : run_text(run);
     rows += session.runs()[i]->result.loop.rows;
     lost += session.runs()[i]->result.loop.rows_lost;
+    for (const ReaderLoss& loss : run.result.missed)
+      if (loss.reader == Recorder::name) missed += static_cast<std::int64_t>(loss.records);
   }
   if (!session.log_path().empty())
-    text += fmt::format("recorded {} rows to {}, {} lost\n", rows, session.log_path(), lost);
+    text += fmt::format("recorded {} rows to {}, {} lost\n", rows - missed, session.log_path(),
+                        lost + missed);
   text += published_text(session);
   for (const std::string& trouble : session.troubles()) text += "LOG: " + trouble + "\n";
   return text;

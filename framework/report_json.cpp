@@ -47,6 +47,16 @@ Json faults(const RunResult& result) {
   return list;
 }
 
+Json missed(const RunResult& result) {
+  Json list = Json::array();
+  for (const ReaderLoss& loss : result.missed)
+    list.push_back({{"reader", loss.reader},
+                    {"records", loss.records},
+                    {"gaps", loss.gaps},
+                    {"time", loss.time}});
+  return list;
+}
+
 Json run_json(const SessionRun& run) {
   const RunResult& result = run.result;
   Json components = Json::object();
@@ -68,7 +78,8 @@ Json run_json(const SessionRun& run) {
           {"highlights", highlights(run.highlights)},
           {"faults", faults(result)},
           {"shortcomings", result.shortcomings},
-          {"lost", result.lost}};
+          {"lost", result.lost},
+          {"missed", missed(result)}};
 }
 
 }  // namespace

@@ -12,8 +12,6 @@
 namespace trocar {
 namespace {
 
-constexpr std::size_t ring_capacity = std::size_t{8} << 20;  // [bytes]: some seconds at 1 kHz
-
 /// The numbers that a value stands for, by the parameter's own rules; the parameter keeps its own.
 std::array<double, max_axes> numbers_of(ParameterBase& parameter, const Literal& value,
                                         std::string& wrong) {
@@ -117,7 +115,9 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   for (const Edit& edit : options.edits) scheduler.add(edit);
   if (options.engage) scheduler.add({.kind = Command::Kind::engage});
 
-  RecordRing ring(std::max(ring_capacity, 64 * layout.size()));
+  const bool simulated = options.clock == ClockKind::simulated;
+  BroadcastRing ring(ring_capacity(layout, wired->period(), simulated),
+                     std::max(layout.size(), sizeof(Event)));
   std::vector<RowSink*> sinks = options.sinks;
   std::shared_ptr<RowStore> rows;
   if (options.keep_rows) sinks.push_back((rows = std::make_shared<RowStore>()).get());
@@ -127,22 +127,23 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   if (options.duration) executor_options.ticks = std::llround(*options.duration / wired->period());
   Executor executor(*wired, executor_options);
   std::unique_ptr<Clock> clock;
-  if (options.clock == ClockKind::simulated)
+  if (simulated)
     clock = std::make_unique<SimulatedClock>();
   else
     clock = std::make_unique<PeriodicClock>();
 
-  RowPump pump(ring, sinks, layout, *wired);
+  RowPump pump(ring, sinks, layout, *wired, simulated);
   const std::int64_t begin = monotonic_ns();
   const Shortcomings shortcomings =
       run_on_loop_thread({.realtime = !clock->simulated()}, [&] { executor.run(*clock); });
   const std::int64_t end = monotonic_ns();
 
-  std::vector<std::string> lost = pump.finish();
+  PumpResult readers = pump.finish();
   RunResult result = result_of(executor, *wired, options);
   result.wall_time = static_cast<double>(end - begin) * 1e-9;
   result.shortcomings = shortcomings;
-  result.lost = std::move(lost);
+  result.lost = std::move(readers.failures);
+  result.missed = std::move(readers.losses);
   result.rows = std::move(rows);
   return result;
 }

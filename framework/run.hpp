@@ -63,6 +63,7 @@ struct RunResult {
   std::vector<FaultRecord> faults{};
   std::vector<std::string> shortcomings{};  // of the machine, for real time
   std::vector<std::string> lost{};          // readers of rows that gave up, and why
+  std::vector<ReaderLoss> missed{};         // readers of rows that fell behind
   std::shared_ptr<RowStore> rows{};
 };
 

@@ -120,7 +120,9 @@ void Session::try_log(const std::function<void()>& write) {
 bool Session::sound() const {
   return troubles_.empty() && std::all_of(runs_.begin(), runs_.end(), [](const auto& run) {
            const RunResult& result = run->result;
-           return result.faults.empty() && result.lost.empty() && result.loop.rows_lost == 0;
+           return result.faults.empty() && result.lost.empty() && result.loop.rows_lost == 0 &&
+                  std::none_of(result.missed.begin(), result.missed.end(),
+                               [](const ReaderLoss& loss) { return loss.matters; });
          });
 }
 

@@ -89,15 +89,26 @@ void Recorder::begin(const RowLayout& layout, const WiredGraph& graph) {
 }
 
 void Recorder::row(std::span<const std::byte> row) {
+  const RowHeader header = header_of(row);
+  write_missed(header.tick, header.time);
   for (const Piece& piece : pieces_)
     std::memcpy(message_.data() + cdr_head + piece.to, row.data() + piece.from, piece.size);
-  const RowHeader header = header_of(row);
   last_ns_ = start_ns_ + static_cast<std::uint64_t>(header.time);
   log_.writer().message(rows_, static_cast<std::uint32_t>(header.tick), last_ns_, last_ns_,
                         message_);
 }
 
 void Recorder::event(const Event& event) {
+  write_missed(event.tick, event.time_ns);
+  write(event);
+}
+
+void Recorder::write_missed(std::int64_t tick, std::int64_t time_ns) {
+  if (missed_ > 0) write(missed_event(name, missed_, tick, time_ns));
+  missed_ = 0;
+}
+
+void Recorder::write(const Event& event) {
   std::vector<std::byte> message;
   CdrWriter cdr(message);
   cdr.number(event.tick);

@@ -46,12 +46,19 @@ class Recorder final : public RowSink {
  public:
   /// @param wanted which ports; a device's are recorded always
   Recorder(LogFile& log, RowLayout::Selection wanted);
+  std::string_view reader_name() const override { return name; }
   void begin(const RowLayout& layout, const WiredGraph& graph) override;
   void row(std::span<const std::byte> row) override;
   void event(const Event& event) override;
+  /// An event of kind "rows missed" stands before what comes next.
+  void missed(std::uint64_t records) override { missed_ += records; }
   void end() override;
 
+  static constexpr const char* name = "recorder";
+
  private:
+  void write_missed(std::int64_t tick, std::int64_t time_ns);
+  void write(const Event& event);
   struct Piece {  // of a full row, taken into the narrower one
     std::size_t from, to, size;
   };
@@ -62,6 +69,7 @@ class Recorder final : public RowSink {
   std::uint16_t rows_ = 0;
   std::uint16_t events_ = 0;
   std::uint32_t event_count_ = 0;
+  std::uint64_t missed_ = 0;  // and not written yet
   std::uint64_t start_ns_ = 0;
   std::uint64_t last_ns_ = 0;
 };

@@ -15,6 +15,7 @@ namespace trocar {
 class RowStore final : public RowSink {
  public:
   RowStore();
+  std::string_view reader_name() const override { return "rows of the run"; }
   void begin(const RowLayout& layout, const WiredGraph& graph) override;
   void row(std::span<const std::byte> row) override;
   void end() override;
