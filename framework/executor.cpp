@@ -8,7 +8,7 @@
 namespace trocar {
 
 Executor::Executor(WiredGraph& graph, ExecutorOptions options)
-    : graph_(graph), options_(std::move(options)) {
+    : graph_(graph), options_(std::move(options)), overload_(options_.overload, graph.period()) {
   std::stable_sort(options_.schedule.begin(), options_.schedule.end(),
                    [](const Command& a, const Command& b) { return a.not_before < b.not_before; });
   for (Device* device : graph.devices()) gates_.emplace_back(*device, graph.period(), faults_);
@@ -41,6 +41,7 @@ void Executor::run(Clock& clock) {
     slot = clock.wait();
     tick(slot, clock.simulated());
   }
+  statistics_.spun_ns = clock.spun_ns();
   stop(slot, clock.simulated());
 }
 
@@ -62,6 +63,7 @@ void Executor::tick(const Slot& slot, bool simulated) RT_SAFE {
   const std::int64_t begin = options_.timing ? monotonic_ns() : 0;
   const std::int64_t time_ns = slot.index * graph_.period_ns();
   const Tick tick{slot.index, time_ns, static_cast<double>(time_ns) * 1e-9, graph_.period()};
+  judge_time(tick, slot);
   take_commands(tick);
   ramps_.advance();
   step_all(tick);
@@ -79,6 +81,23 @@ void Executor::tick(const Slot& slot, bool simulated) RT_SAFE {
   if (!options_.timing) return;
   last_duration_ = (simulated ? end : monotonic_ns()) - begin;
   statistics_.duration.add(last_duration_);
+}
+
+/// The tick before, whose end is known now.
+void Executor::judge_time(const Tick& tick, const Slot& slot) RT_SAFE {
+  const Overload overload = overload_.judge(slot);
+  statistics_.overruns = overload_.overruns();
+  if (overload.detail == nullptr) return;
+  const Fault fault{.cause = FaultCause::overload,
+                    .component = options_.name,
+                    .detail = overload.detail,
+                    .value = overload.value,
+                    .limit = overload.limit,
+                    .tick = tick.index,
+                    .time_ns = tick.time_ns};
+  faults_.raise(fault);
+  for (Gate& gate : gates_) gate.stop_rendering(fault);
+  if (overload_.settings().policy == OverloadPolicy::end) ended_ = true;
 }
 
 void Executor::take_commands(const Tick& tick) RT_SAFE {

@@ -9,6 +9,7 @@
 #include "framework/command.hpp"
 #include "framework/event.hpp"
 #include "framework/gate.hpp"
+#include "framework/overload.hpp"
 #include "framework/parameter_ramps.hpp"
 #include "framework/realtime/record_ring.hpp"
 #include "framework/realtime/stop_flag.hpp"
@@ -28,13 +29,17 @@ struct ExecutorOptions {
   RecordRing* records = nullptr;      // rows and events go there
   const RowLayout* layout = nullptr;  // of the rows
   const StopFlag* stop = nullptr;
+  OverloadSettings overload{};
+  const char* name = "loop";  // of the thread, in faults
 };
 
 /// Figures of a run.
 struct LoopStatistics {
-  std::int64_t ticks = 0;    // that were run
-  std::int64_t skipped = 0;  // slots that were not
-  std::int64_t rows = 0;     // handed over
+  std::int64_t ticks = 0;     // that were run
+  std::int64_t skipped = 0;   // slots that were not
+  std::int64_t overruns = 0;  // ticks that were not over when their next slot was due
+  std::int64_t spun_ns = 0;   // busy-waiting
+  std::int64_t rows = 0;      // handed over
   std::int64_t rows_lost = 0;
   TimingHistogram lateness;
   TimingHistogram duration;
@@ -70,6 +75,7 @@ class Executor {
     Vector3* moment = nullptr;
     const Vector3* velocity = nullptr;
   };
+  void judge_time(const Tick& tick, const Slot& slot) RT_SAFE;
   void take_commands(const Tick& tick) RT_SAFE;
   void obey(const Command& command, const Tick& tick) RT_SAFE;
   void acknowledge(Event event) RT_SAFE;
@@ -92,6 +98,7 @@ class Executor {
   std::vector<ItemState> states_;
   std::vector<std::int64_t> times_;  // [ns] of each component in this tick
   ParameterRamps ramps_;
+  OverloadMonitor overload_;
   LoopStatistics statistics_;
   std::size_t next_scheduled_ = 0;
   std::size_t faults_reported_ = 0;
