@@ -107,6 +107,17 @@ std::string peaks_text(const Highlights& highlights) {
   return text;
 }
 
+/// What keeping the time took from the machine.
+std::string cost_text(const RunResult& result) {
+  std::string text;
+  if (result.spin > 0.0 && result.wall_time > 0.0)
+    text += fmt::format("  guard spin {:.6g} µs: {:.1f} % of a processor\n", result.spin * 1e6,
+                        static_cast<double>(result.loop.spun_ns) * 1e-7 / result.wall_time);
+  if (result.latency_held)
+    text += "  /dev/cpu_dma_latency was held at 0: no processor slept deeply, which costs power\n";
+  return text;
+}
+
 std::string timing_text(const RunResult& result) {
   const auto us = [](const TimingHistogram& histogram, double share) {
     return static_cast<double>(histogram.percentile(share)) * 1e-3;
@@ -116,10 +127,11 @@ std::string timing_text(const RunResult& result) {
   if (result.clock == ClockKind::realtime)
     text += fmt::format(
         "  lateness {:.0f} µs (median), {:.0f} µs (99 %), {:.0f} µs (worst); {} slots "
-        "missed\n",
+        "missed, {} overruns\n",
         us(result.loop.lateness, 0.5), us(result.loop.lateness, 0.99),
-        static_cast<double>(result.loop.lateness.max()) * 1e-3, result.loop.skipped);
-  return text;
+        static_cast<double>(result.loop.lateness.max()) * 1e-3, result.loop.skipped,
+        result.loop.overruns);
+  return text + cost_text(result);
 }
 
 std::string faults_text(const RunResult& result) {

@@ -5,7 +5,9 @@
 
 #include <cmath>
 
+#include "framework/realtime/cpu_latency_hold.hpp"
 #include "framework/realtime/loop_thread.hpp"
+#include "framework/realtime/throttling.hpp"
 #include "framework/recording/row_pump.hpp"
 #include "framework/text.hpp"
 
@@ -91,6 +93,7 @@ FaultRecord record_of(const Fault& fault) {
 
 RunResult result_of(const Executor& executor, const WiredGraph& graph, const RunOptions& options) {
   RunResult result{.clock = options.clock, .rate = 1.0 / graph.period()};
+  if (options.clock == ClockKind::realtime) result.spin = options.timing.spin;
   result.loop = executor.statistics();
   result.duration = static_cast<double>(result.loop.ticks + result.loop.skipped) * graph.period();
   result.interrupted = options.stop != nullptr && options.stop->raised();
@@ -101,7 +104,32 @@ RunResult result_of(const Executor& executor, const WiredGraph& graph, const Run
   return result;
 }
 
+std::string throttling_of(const RunResult& result) {
+  if (result.clock == ClockKind::simulated || result.wall_time <= 0.0) return "";
+  const TimingHistogram& ticks = result.loop.duration;
+  const double busy = ticks.mean() * static_cast<double>(ticks.count()) +
+                      static_cast<double>(result.loop.spun_ns);  // [ns]
+  return throttling(busy * 1e-9 / result.wall_time, real_time_share());
+}
+
+std::int64_t spin_ns(const RunOptions& options) {
+  constexpr double longest = 1e4;  // [s]; far longer than any period
+  const double spin = options.timing.spin;
+  return std::isnan(spin) ? -1 : std::llround(std::clamp(spin, -longest, longest) * 1e9);
+}
+
+std::unique_ptr<Clock> clock_of(const RunOptions& options) {
+  if (options.clock == ClockKind::simulated) return std::make_unique<SimulatedClock>();
+  if (const std::string wrong = check_spin(options); !wrong.empty())
+    throw std::invalid_argument(wrong);
+  return std::make_unique<PeriodicClock>(spin_ns(options));
+}
+
 }  // namespace
+
+std::string check_spin(const RunOptions& options) {
+  return check_spin(spin_ns(options), std::llround(1e9 / options.wiring.rate));
+}
 
 std::string FaultRecord::text() const {
   std::string text = fmt::format("{} in {} at tick {} ({:.3f} s)", cause, component, tick, time);
@@ -122,15 +150,16 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   std::shared_ptr<RowStore> rows;
   if (options.keep_rows) sinks.push_back((rows = std::make_shared<RowStore>()).get());
 
-  ExecutorOptions executor_options{
-      .schedule = scheduler.take(), .records = &ring, .layout = &layout, .stop = options.stop};
+  ExecutorOptions executor_options{.schedule = scheduler.take(),
+                                   .records = &ring,
+                                   .layout = &layout,
+                                   .stop = options.stop,
+                                   .overload = options.timing.overload};
   if (options.duration) executor_options.ticks = std::llround(*options.duration / wired->period());
   Executor executor(*wired, executor_options);
-  std::unique_ptr<Clock> clock;
-  if (options.clock == ClockKind::simulated)
-    clock = std::make_unique<SimulatedClock>();
-  else
-    clock = std::make_unique<PeriodicClock>();
+  const std::unique_ptr<Clock> clock = clock_of(options);
+  std::optional<CpuLatencyHold> hold;
+  if (options.timing.hold_latency && !clock->simulated()) hold.emplace();
 
   RowPump pump(ring, sinks, layout, *wired);
   const std::int64_t begin = monotonic_ns();
@@ -142,6 +171,10 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   RunResult result = result_of(executor, *wired, options);
   result.wall_time = static_cast<double>(end - begin) * 1e-9;
   result.shortcomings = shortcomings;
+  result.latency_held = hold && hold->held();
+  if (hold && !hold->held()) result.shortcomings.push_back(hold->shortcoming());
+  if (std::string halted = throttling_of(result); !halted.empty())
+    result.shortcomings.push_back(std::move(halted));
   result.lost = std::move(lost);
   result.rows = std::move(rows);
   return result;

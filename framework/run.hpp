@@ -22,8 +22,16 @@ struct Edit {
   Where where;
 };
 
+/// How the loop keeps time, and what follows when it cannot. In virtual time none of it applies.
+struct LoopTiming {
+  double spin = 0.0;          // [s] busy-waiting before each slot, shorter than the period; 0: off
+  bool hold_latency = false;  // keep the processors out of deep sleep, see CpuLatencyHold
+  OverloadSettings overload{};
+};
+
 struct RunOptions {
   ClockKind clock = ClockKind::realtime;
+  LoopTiming timing{};
   std::optional<double> duration{};  // [s]; without one it runs until stopped
   WiringOptions wiring{};
   std::vector<Edit> edits{};
@@ -57,6 +65,8 @@ struct RunResult {
   double rate = 0.0;       // [Hz]
   double duration = 0.0;   // [s] of its own time
   double wall_time = 0.0;  // [s]
+  double spin = 0.0;       // [s] as asked for
+  bool latency_held = false;
   bool interrupted = false;
   LoopStatistics loop{};
   std::vector<ComponentTiming> components{};
@@ -66,8 +76,12 @@ struct RunResult {
   std::shared_ptr<RowStore> rows{};
 };
 
+/// "" when the guard spin suits the rate, else what is wrong.
+std::string check_spin(const RunOptions& options);
+
 /// Wires the graph and runs it once.
 /// @throw BrokenGraph with every finding
+/// @throw std::invalid_argument when options.timing is out of range
 RunResult run(const Graph& graph, const RunOptions& options);
 
 }  // namespace trocar

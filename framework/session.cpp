@@ -75,14 +75,18 @@ void Session::open_log() {
 
 const SessionRun& Session::run(RunOptions wanted) {
   wanted.clock = options_.clock;
+  wanted.timing = options_.timing;
   if (options_.duration) wanted.duration = options_.duration;
   if (!wanted.duration && options_.clock == ClockKind::simulated)
     wanted.duration = options_.default_duration;
   if (options_.seed) wanted.wiring.seed = *options_.seed;
   wanted.stop = options_.stop;
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);
-  if (const Findings findings = check(graph_, wanted.wiring); !findings.empty())
-    throw BrokenGraph(findings);  // before a log is begun
+  Findings findings = check(graph_, wanted.wiring);
+  if (const std::string wrong = check_spin(wanted);
+      wanted.clock == ClockKind::realtime && !wrong.empty())
+    findings.add({"--spin", 0}, wrong);
+  if (!findings.empty()) throw BrokenGraph(findings);  // before a log is begun
   open_log();
   auto one = std::make_unique<SessionRun>();
   std::unique_ptr<Recorder> recorder;

@@ -146,6 +146,31 @@ class TestRun : public QObject {
             (std::vector{Event::Kind::started, Event::Kind::fault, Event::Kind::ended}));
   }
 
+  void timing_out_of_range_is_refused_in_real_time_data() {
+    QTest::addColumn<double>("spin");
+    QTest::addColumn<int>("allowed");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("a spin of the period") << 1e-3 << 20 << "a guard spin of 1000 µs";
+    QTest::newRow("a spin below 0") << -1e-6 << 20 << "a guard spin of -1 µs";
+    QTest::newRow("no number") << std::nan("") << 20 << "a guard spin of";
+    QTest::newRow("beyond all numbers") << 1e300 << 20 << "shorter than the period";
+    QTest::newRow("a count below 0") << 0.0 << -1 << "overload.allowed = -1";
+  }
+  void timing_out_of_range_is_refused_in_real_time() {
+    QFETCH(double, spin);
+    QFETCH(int, allowed);
+    QFETCH(QString, says);
+    RunRig rig;
+    RunOptions options{.timing = {.spin = spin, .overload = {.allowed = allowed}}};
+    options.duration = 0.01;
+    try {
+      run(rig.graph, options);
+      QFAIL("it ran");
+    } catch (const std::invalid_argument& error) {
+      QVERIFY2(QString(error.what()).contains(says), error.what());
+    }
+  }
+
   void a_run_that_is_stopped_says_so() {
     RunRig rig;
     StopFlag stop;
