@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/output.hpp"
@@ -62,15 +63,21 @@ std::string channels_text(const LogSummary& log) {
 
 std::string events_text(const LogSummary& log) {
   if (log.events.empty()) return "";
-  TextTable table("rrl");
+  const bool several = std::any_of(log.events.begin(), log.events.end(), [&](const auto& event) {
+    return event.thread != log.events.front().thread;
+  });
+  TextTable table(several ? "rrll" : "rrl");
   for (std::size_t i = 0; i < std::min(shown, log.events.size()); ++i) {
     const LogSummary::Event& event = log.events[i];
     std::string what = event.source;
     if (!event.detail.empty()) what += (what.empty() ? "" : ": ") + event.detail;
     if (event.value != 0.0) what += fmt::format(", value {:.6g}", event.value);
     if (event.limit != 0.0) what += fmt::format(" (limit {:.6g})", event.limit);
-    table.row({fmt::format("{:.3f} s", 1e-9 * static_cast<double>(event.time_ns)),
-               fmt::format("tick {}", event.tick), plain(event.kind), plain(what)});
+    std::vector<std::string> cells = {
+        fmt::format("{:.3f} s", 1e-9 * static_cast<double>(event.time_ns)),
+        fmt::format("tick {}", event.tick), plain(event.kind), plain(what)};
+    if (several) cells.insert(cells.begin() + 2, plain(event.thread));
+    table.row(std::move(cells));
   }
   return "\nEvents\n" + table.text() + more_text(log.events.size());
 }
@@ -228,6 +235,7 @@ Json log_json(const LogSummary& log, const std::optional<std::string>& pattern) 
   for (const LogSummary::Event& event : log.events)
     json["events"].push_back({{"tick", event.tick},
                               {"time_ns", event.time_ns},
+                              {"thread", event.thread},
                               {"kind", event.kind},
                               {"source", event.source},
                               {"detail", event.detail},

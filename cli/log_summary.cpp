@@ -102,6 +102,7 @@ class ChannelReader {
       if (leaf.path == "value") event.value = as_double(value);
       if (leaf.path == "limit") event.limit = as_double(value);
       if (text == nullptr) return;
+      if (leaf.path == "thread") event.thread = *text;
       if (leaf.path == "kind") event.kind = *text;
       if (leaf.path == "source") event.source = *text;
       if (leaf.path == "detail") event.detail = *text;

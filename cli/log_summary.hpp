@@ -32,7 +32,7 @@ struct LogSummary {
   struct Event {
     std::int64_t tick = 0;
     std::int64_t time_ns = 0;
-    std::string kind, source, detail;
+    std::string thread, kind, source, detail;
     double value = 0.0, limit = 0.0;
   };
   struct Attachment {

@@ -11,16 +11,23 @@ namespace trocar::cli {
 /// lateness, faults.
 class Progress final : public RowSink {
  public:
-  void begin(const RowLayout& layout, const WiredGraph& graph) override;
-  void row(std::span<const std::byte> row) override;
-  void event(const Event& event) override;
+  std::string_view reader_name() const override { return "progress"; }
+  bool needs_every_row() const override { return false; }
+  void begin(const std::vector<RowLayout>& layouts, const WiredGraph& graph) override;
+  void row(std::size_t group, std::span<const std::byte> row) override;
+  void event(std::size_t group, const Event& event) override;
   void end() override;
 
  private:
-  void show(std::span<const std::byte> row);
+  void show(double time);
 
-  std::vector<std::size_t> forces_;  // row offsets of forces at sites
-  std::int64_t next_ns_ = 0;         // on the wall's clock
+  struct Force {  // at a site
+    std::size_t group = 0;
+    std::size_t row_offset = 0;
+    double now = 0.0;  // [N]
+  };
+  std::vector<Force> forces_;
+  std::int64_t next_ns_ = 0;  // on the wall's clock
   std::int64_t worst_lateness_ = 0;
   int faults_ = 0;
   int rows_since_look_ = 0;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -10,9 +9,11 @@
 #include <optional>
 
 #include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/script_options.hpp"
+#include "cli/timing_options.hpp"
 #include "components/register.hpp"
 #include "framework/report.hpp"
 #include "framework/scripting/script.hpp"
@@ -22,17 +23,10 @@ namespace {
 
 constexpr double default_simulated_duration = 10.0;  // [s]: virtual time would never end by itself
 
-StopFlag interrupted;
-
-/// The first Ctrl-C ends the run in order; a second one kills.
-void interrupt(int) {
-  interrupted.raise();
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-}
-
 struct RunArguments {
   ScriptOptions script;
+  WaitOptions wait;
+  OverloadOptions overload;
   std::string duration;
   std::string clock = "realtime";
   std::optional<std::string> record;
@@ -54,7 +48,8 @@ SessionOptions session_options(const RunArguments& arguments) {
   if (!arguments.duration.empty()) options.duration = duration_of(arguments.duration, "--for");
   options.seed = arguments.script.seed;
   if (arguments.record) options.record = arguments.record;
-  options.stop = &interrupted;
+  arguments.wait.apply(options.timing);
+  arguments.overload.apply(options.timing);
   options.print_to_stderr = arguments.json == "-";
   return options;
 }
@@ -78,9 +73,8 @@ int run(const RunArguments& arguments) {
   Progress progress;
   if (isatty(STDERR_FILENO) != 0) options.progress = &progress;
   options.default_duration = default_simulated_duration;
+  options.stop = &stop_on_interrupt();
   Session session(registry, options);
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
   int status = success;
   try {
     run_script(session, arguments.script.script, std::move(script_arguments));
@@ -108,6 +102,8 @@ void add_run(CLI::App& app, int& status) {
                       "How long, e.g. 5s (default: until Ctrl-C; 10 s in simulated time)");
   command->add_option("--clock", arguments->clock, "realtime, or simulated: as fast as it goes")
       ->check(CLI::IsMember({"realtime", "simulated"}));
+  arguments->wait.add_to(*command);
+  arguments->overload.add_to(*command);
   command->add_option("--record", arguments->record, "Write an MCAP log to this file")
       ->check(check_file_name);
   command
@@ -116,7 +112,8 @@ void add_run(CLI::App& app, int& status) {
   command->footer(
       "Example:\n"
       "  trocar run scripts/tutorial/01_feel_a_wall.lua --for 5s --clock simulated\n"
-      "Ctrl-C ends a run in order, with its report.\n"
+      "Ctrl-C ends a run in order, with its report. Spin, latency and overload are about real\n"
+      "time alone; docs/realtime.md has the definitions.\n"
       "Exit status: 0 success, 1 a fault or a loss, 2 wrong usage or a broken script.");
   command->callback([arguments, &status] { status = run(*arguments); });
 }

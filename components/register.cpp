@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/register.hpp"
 
+#include "components/control/creep.hpp"
 #include "components/control/delay.hpp"
 #include "components/control/product.hpp"
 #include "components/control/scale.hpp"
@@ -22,6 +23,7 @@ namespace trocar {
 void register_components(Registry& registry) {
   register_laparoscope(registry);
 
+  registry.add<Creep>("Creep", "control", "Tissue that yields slowly under a load");
   registry.add<Delay>("Delay", "control", "A signal some ticks ago; breaks a loop");
   registry.add<Product>("Product", "control", "A signal times a number that varies");
   registry.add<Scale>("Scale", "control", "A signal times a fixed factor");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "framework/realtime/rt_safe.hpp"
@@ -17,7 +18,8 @@ struct Event {
     edit_refused,
     gate,
     acknowledged,
-    acknowledge_refused
+    acknowledge_refused,
+    rows_missed  // by who writes it down: `value` records before this one
   };
   Kind kind = Kind::started;
   std::int64_t tick = 0;
@@ -33,5 +35,16 @@ const char* to_string(Event::Kind kind) RT_SAFE;
 
 /// What a record of the ring between the loop and its readers is.
 enum class RecordKind : std::uint32_t { row, event };
+
+// A record's tag says its kind, and of which thread's group it is.
+constexpr std::uint32_t record_tag(RecordKind kind, std::uint32_t group) RT_SAFE {
+  return group << 1 | static_cast<std::uint32_t>(kind);
+}
+constexpr RecordKind record_kind(std::uint32_t tag) RT_SAFE {
+  return static_cast<RecordKind>(tag & 1u);
+}
+constexpr std::size_t record_group(std::uint32_t tag) RT_SAFE {
+  return tag >> 1;
+}
 
 }  // namespace trocar

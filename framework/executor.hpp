@@ -8,14 +8,15 @@
 #include "framework/clock.hpp"
 #include "framework/command.hpp"
 #include "framework/event.hpp"
+#include "framework/exchange.hpp"
 #include "framework/gate.hpp"
+#include "framework/overload.hpp"
 #include "framework/parameter_ramps.hpp"
-#include "framework/realtime/record_ring.hpp"
+#include "framework/realtime/broadcast_ring.hpp"
 #include "framework/realtime/stop_flag.hpp"
 #include "framework/realtime/timing_histogram.hpp"
 #include "framework/recording/row_layout.hpp"
-#include "framework/resist_only.hpp"
-#include "framework/wired_graph.hpp"
+#include "framework/stepper.hpp"
 
 namespace trocar {
 
@@ -25,82 +26,81 @@ struct ExecutorOptions {
   double edit_ramp = 0.2;             // [s] of a live edit
   std::vector<Command> schedule{};    // by not_before
   CommandQueue* commands = nullptr;   // from another thread
-  RecordRing* records = nullptr;      // rows and events go there
+  BroadcastRing* records = nullptr;   // rows and events go there
   const RowLayout* layout = nullptr;  // of the rows
   const StopFlag* stop = nullptr;
+  StopFlag* end_all = nullptr;  // of all threads; raised when this one ends the run
+  OverloadSettings overload{};
+  std::uint32_t index = 0;  // of the group: goes with each of its rows and events
 };
 
 /// Figures of a run.
 struct LoopStatistics {
-  std::int64_t ticks = 0;    // that were run
-  std::int64_t skipped = 0;  // slots that were not
-  std::int64_t rows = 0;     // handed over
-  std::int64_t rows_lost = 0;
+  std::int64_t ticks = 0;      // that were run
+  std::int64_t skipped = 0;    // slots that were not
+  std::int64_t overruns = 0;   // ticks that were not over when their next slot was due
+  std::int64_t spun_ns = 0;    // busy-waiting
+  std::int64_t rows = 0;       // handed over
+  std::int64_t rows_lost = 0;  // rows and events that no ring could take
   TimingHistogram lateness;
   TimingHistogram duration;
   std::vector<TimingHistogram> components{};  // in the order of the schedule
 };
 
-/// Runs a wired graph once, tick by tick: commands → devices report → step in order → gates write
-/// → the row is handed over. Everything it does in a tick is bounded, allocates nothing and waits
+/// Runs what one thread of a wired graph does, once, tick by tick: commands → what other threads
+/// sent → devices report → step in order → gates write → what other threads get → the row is handed
+/// over. Everything it does in a tick is bounded, allocates nothing and waits
 /// for nobody but its clock.
 class Executor {
  public:
-  Executor(WiredGraph& graph, ExecutorOptions options);
+  Executor(const RateGroup& group, ExecutorOptions options);
 
   /// From start() to stop() of all components, in the calling thread.
   void run(Clock& clock);
 
-  // The parts of run(), for tests that step by hand.
+  // The parts of run(), for those who step it among others.
   void start();
+  /// Until the end, by a clock that was started.
+  void loop(Clock& clock);
+  /// Its time is over, or somebody ended the run.
+  bool over() const RT_SAFE;
   void tick(const Slot& slot, bool simulated) RT_SAFE;
   void stop(const Slot& last, bool simulated) RT_SAFE;
 
   const LoopStatistics& statistics() const { return statistics_; }
   const FaultLatch& faults() const { return faults_; }
   const std::deque<Gate>& gates() const { return gates_; }
+  const RateGroup& group() const { return group_; }
 
  private:
-  struct ItemState {
-    std::int64_t next_due = 0;
-    std::int64_t last = -1;  // slot of its last step
-    bool failed = false;
-    ResistOnly remainder{};
-    Vector3* force = nullptr;  // that it renders at a site
-    Vector3* moment = nullptr;
-    const Vector3* velocity = nullptr;
-  };
+  void judge_time(const Tick& tick, const Slot& slot) RT_SAFE;
   void take_commands(const Tick& tick) RT_SAFE;
   void obey(const Command& command, const Tick& tick) RT_SAFE;
   void acknowledge(Event event) RT_SAFE;
   void step_all(const Tick& tick) RT_SAFE;
-  bool step_one(std::size_t i, const Tick& tick) RT_SAFE;
-  void give_up(std::size_t i, const Tick& tick) RT_SAFE;
-  void fade(ItemState& state, const Tick& tick) RT_SAFE;
-  void find_not_finite(const Tick& tick) RT_SAFE;
+  Tick tick_of(std::int64_t index) const RT_SAFE;
   void pass_gates(const Tick& tick) RT_SAFE;
+  void send_across(const Tick& tick) RT_SAFE;
+  void end() RT_SAFE;
   void report_changes(const Tick& tick) RT_SAFE;
   void send(const Event& event) RT_SAFE;
   void send_row(const Tick& tick, const Slot& slot) RT_SAFE;
-  std::span<std::byte> room(std::size_t size) RT_SAFE;
+  void hand_over(RecordKind kind) RT_SAFE;
 
-  WiredGraph& graph_;
+  const RateGroup& group_;
   ExecutorOptions options_;
   FaultLatch faults_;
   std::deque<Gate> gates_;
   std::vector<Gate::State> gate_states_;  // last reported
-  std::vector<ItemState> states_;
+  Stepper stepper_;
+  Exchange exchange_;
   std::vector<std::int64_t> times_;  // [ns] of each component in this tick
   ParameterRamps ramps_;
+  OverloadMonitor overload_;
   LoopStatistics statistics_;
   std::size_t next_scheduled_ = 0;
   std::size_t faults_reported_ = 0;
   std::int64_t last_duration_ = 0;
-  // Bit d: something that the d-th device's effort or hold is computed from is not to be used,
-  unsigned effort_lost_ = 0;  // in this tick
-  unsigned hold_lost_ = 0;
-  unsigned effort_failed_ = 0;  // for good
-  unsigned hold_failed_ = 0;
   bool simulated_ = false;
   bool ended_ = false;
 };

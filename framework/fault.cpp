@@ -23,6 +23,10 @@ const char* to_string(FaultCause cause) RT_SAFE {
       return "overload";
     case FaultCause::component_failed:
       return "component failed";
+    case FaultCause::signal_lost:
+      return "signal lost";
+    case FaultCause::queue_full:
+      return "queue full";
     case FaultCause::operator_stop:
       return "operator stop";
   }

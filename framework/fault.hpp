@@ -18,6 +18,8 @@ enum class FaultCause {
   position_lost,
   overload,
   component_failed,
+  signal_lost,
+  queue_full,
   operator_stop,
 };
 

@@ -6,6 +6,11 @@
 #include "framework/text.hpp"
 
 namespace trocar {
+namespace {
+
+constexpr int most_processors = 1024;  // of CPU_SET
+
+}  // namespace
 
 const ParameterSet& Graph::Node::settings() const {
   return is_group() ? *group : static_cast<const ParameterSet&>(*component);
@@ -14,6 +19,39 @@ const ParameterSet& Graph::Node::settings() const {
 std::optional<NodeId> Graph::find(std::string_view name) const {
   const auto found = by_name_.find(name);
   return found == by_name_.end() ? std::nullopt : std::optional(found->second);
+}
+
+ThreadId Graph::add_thread(Thread thread) {
+  const std::string key = "thread " + thread.name;
+  if (!(thread.rate >= 1.0 && thread.rate <= 1e5))
+    findings_.add(thread.where, fmt::format("{}: a rate of {} Hz: 1 Hz to 100 kHz is possible", key,
+                                            thread.rate));
+  else if (thread.priority < 1 || thread.priority > 98)
+    findings_.add(thread.where, fmt::format("{}: priority = {}: 1 to 98 is possible, higher goes "
+                                            "first",
+                                            key, thread.priority));
+  else if (!(thread.phase >= 0.0 && thread.phase < 1.0 / thread.rate))
+    findings_.add(thread.where,
+                  fmt::format("{}: phase = {} s: needs 0 to less than the period of {} s", key,
+                              thread.phase, 1.0 / thread.rate));
+  else if (thread.processor && (*thread.processor < 0 || *thread.processor >= most_processors))
+    findings_.add(thread.where, fmt::format("{}: processor = {}: needs 0 to {}", key,
+                                            *thread.processor, most_processors - 1));
+  threads_.push_back(std::move(thread));
+  return threads_.size() - 1;
+}
+
+std::string Graph::rename_thread(ThreadId thread, std::string_view name) {
+  if (!is_name(name))
+    return fmt::format(
+        "\"{}\" is no name: letters, digits and underscores are, starting with a "
+        "letter",
+        name);
+  for (ThreadId other = 0; other < threads_.size(); ++other)
+    if (other != thread && threads_[other].name == name)
+      return fmt::format("\"{}\" is the name of another thread already", name);
+  threads_[thread].name = name;
+  return "";
 }
 
 std::optional<std::string> Graph::free_name(std::string_view type, std::string_view name,
@@ -64,7 +102,7 @@ std::optional<NodeId> Graph::add(std::string_view type_name, std::string_view na
   }
   auto full = free_name(type_name, name, where, scope);
   if (!full) return std::nullopt;
-  Node node{.name = std::move(*full), .type = type, .where = where};
+  Node node{.name = std::move(*full), .type = type, .where = where, .thread = current_thread_};
   if (type->make) {
     node.component = type->make();
     node.component->set_name(node.name);
@@ -83,7 +121,10 @@ std::optional<NodeId> Graph::add_group(std::unique_ptr<ParameterSet> parameters,
   auto full = free_name(type, name, where, scope);
   if (!full) return std::nullopt;
   by_name_.emplace(*full, nodes_.size());
-  nodes_.push_back({.name = std::move(*full), .where = where, .group = std::move(parameters)});
+  nodes_.push_back({.name = std::move(*full),
+                    .where = where,
+                    .group = std::move(parameters),
+                    .thread = current_thread_});
   apply_overrides(nodes_.size() - 1);
   return nodes_.size() - 1;
 }

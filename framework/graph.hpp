@@ -8,17 +8,20 @@
 #include <string_view>
 #include <vector>
 
+#include "framework/connection.hpp"
 #include "framework/finding.hpp"
 #include "framework/registry.hpp"
 
 namespace trocar {
 
 using NodeId = std::size_t;
+using ThreadId = std::size_t;
 
 struct OutputRef {
   NodeId node = 0;
   std::string port;
-  std::string path{};  // of a field: "position.z"; "" is the whole value
+  std::string path{};                         // of a field: "position.z"; "" is the whole value
+  std::optional<Connection> connection = {};  // to another thread
 };
 
 struct InputRef {
@@ -70,10 +73,20 @@ class Graph {
     Exports exports{};                       // of a group
     double rate = 0.0;                       // [Hz]; 0 is the thread's
     std::int64_t phase = 0;                  // [ticks of the thread]
+    ThreadId thread = main_thread;
     std::map<std::string, Where, std::less<>> set_at{};  // where each parameter was set
 
     const ParameterSet& settings() const;
     bool is_group() const { return group != nullptr; }
+  };
+  /// A thread of the loop: what runs in it runs at its rate, in one order.
+  struct Thread {
+    std::string name;
+    double rate = 0.0;   // [Hz]; 0 is the run's
+    double phase = 0.0;  // [s] by which its slots come later
+    int priority = 80;   // of SCHED_FIFO; at the same virtual time the higher goes first
+    std::optional<int> processor{};  // that it keeps to
+    Where where;
   };
   struct Link {  // a parameter that follows another
     ParameterRef from;
@@ -86,7 +99,19 @@ class Graph {
     Where where;
   };
 
-  explicit Graph(const Registry& registry) : registry_(registry) {}
+  static constexpr ThreadId main_thread = 0;  // where nobody says another
+
+  explicit Graph(const Registry& registry) : registry_(registry) {
+    threads_.push_back({.name = "main", .where = {}});
+  }
+
+  /// Adds a thread; what it must not be is a finding.
+  ThreadId add_thread(Thread thread);
+  /// Gives a thread another name; what is wrong with it, or "".
+  std::string rename_thread(ThreadId thread, std::string_view name);
+  const std::vector<Thread>& threads() const { return threads_; }
+  /// The thread that added components belong to.
+  ThreadId current_thread() const { return current_thread_; }
 
   /// Adds a component or builds a group; nothing, and a finding, when that cannot be.
   /// @param name "" takes the type's in snake_case
@@ -128,6 +153,7 @@ class Graph {
   void report_unused_overrides();
 
  private:
+  friend class ThreadScope;
   std::optional<std::string> free_name(std::string_view type, std::string_view name,
                                        const Where& where, std::string_view scope);
   void apply_overrides(NodeId id);
@@ -137,7 +163,24 @@ class Graph {
   std::map<std::string, NodeId, std::less<>> by_name_;
   std::vector<Wire> wires_;
   std::vector<Link> links_;
+  std::vector<Thread> threads_;
+  ThreadId current_thread_ = main_thread;
   Findings findings_;
+};
+
+/// While it lives, what is added belongs to a thread.
+class ThreadScope {
+ public:
+  ThreadScope(Graph& graph, ThreadId thread) : graph_(graph), before_(graph.current_thread_) {
+    graph.current_thread_ = thread;
+  }
+  ~ThreadScope() { graph_.current_thread_ = before_; }
+  ThreadScope(const ThreadScope&) = delete;
+  ThreadScope& operator=(const ThreadScope&) = delete;
+
+ private:
+  Graph& graph_;
+  ThreadId before_;
 };
 
 /// What Group::build works with: adds parts under the group's name.

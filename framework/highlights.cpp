@@ -15,45 +15,52 @@ Vector3 vector_at(std::span<const std::byte> row, std::size_t offset) {
 
 }  // namespace
 
-void Highlights::begin(const RowLayout& layout, const WiredGraph& graph) {
-  for (const ScheduleItem& item : graph.schedule()) {
-    const auto& placement = item.component->placement();
-    if (!placement || placement->force == nullptr) continue;
-    if (placement->position != nullptr)
-      for (const Source& source : placement->position->sources())
-        add(layout, *source.output, source.offset, false);
-    add(layout, *placement->force, 0, true);
-  }
+void Highlights::begin(const std::vector<RowLayout>& layouts, const WiredGraph& graph) {
+  for (const RateGroup& group : graph.groups())
+    for (const ScheduleItem& item : group.schedule()) {
+      const auto& placement = item.component->placement();
+      if (!placement || placement->force == nullptr) continue;
+      if (placement->position != nullptr)
+        for (const Source& source : placement->position->sources())
+          add(layouts, *source.output, source.offset, false);
+      add(layouts, *placement->force, 0, true);
+    }
+  latest_.values.resize(all_.size());
 }
 
-void Highlights::add(const RowLayout& layout, const OutputPort& output, std::size_t offset,
-                     bool is_force) {
+void Highlights::add(const std::vector<RowLayout>& layouts, const OutputPort& output,
+                     std::size_t offset, bool is_force) {
   const std::string port_name = output.owner_name() + "." + output.name();
-  for (const RowPort& port : layout.ports()) {
-    if (port.name != port_name) continue;
-    Highlight one{.name = port_name,
-                  .unit = is_force ? "N" : "m",
-                  .is_force = is_force,
-                  .row_offset = port.row_offset + offset};
-    const bool known = std::any_of(all_.begin(), all_.end(), [&](const Highlight& other) {
-      return other.row_offset == one.row_offset;
-    });
-    if (!known) all_.push_back(std::move(one));
-  }
+  for (std::size_t group = 0; group < layouts.size(); ++group)
+    for (const RowPort& port : layouts[group].ports()) {
+      if (port.name != port_name) continue;
+      Highlight one{.name = port_name,
+                    .unit = is_force ? "N" : "m",
+                    .is_force = is_force,
+                    .group = group,
+                    .row_offset = port.row_offset + offset};
+      const bool known = std::any_of(all_.begin(), all_.end(), [&](const Highlight& other) {
+        return other.group == group && other.row_offset == one.row_offset;
+      });
+      if (!known) all_.push_back(std::move(one));
+    }
 }
 
-void Highlights::row(std::span<const std::byte> row) {
-  latest_.time = static_cast<double>(header_of(row).time) * 1e-9;
-  latest_.values.clear();
-  for (Highlight& one : all_) {
-    one.last = vector_at(row, one.row_offset);
-    latest_.values.push_back(one.last);
+/// A moment is one of the first thread that has anything to show, with what the others had last.
+void Highlights::row(std::size_t group, std::span<const std::byte> row) {
+  const double time = static_cast<double>(header_of(row).time) * 1e-9;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    Highlight& one = all_[i];
+    if (one.group != group) continue;
+    latest_.values[i] = one.last = vector_at(row, one.row_offset);
     const double size = one.last.eigen().norm();
     if (!(size > one.peak)) continue;  // nor for a NaN
     one.peak = size;
-    one.peak_time = latest_.time;
+    one.peak_time = time;
     one.at_peak = one.last;
   }
+  if (group != (all_.empty() ? 0 : all_.front().group)) return;
+  latest_.time = time;
   if (count_++ % stride_ == 0) moments_.push_back(latest_);
   if (moments_.size() < most_moments) return;
   for (std::size_t i = 0; 2 * i < moments_.size(); ++i) moments_[i] = moments_[2 * i];

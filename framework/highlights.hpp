@@ -13,6 +13,7 @@ struct Highlight {
   std::string name;  // "wall.force", "laparoscope.tool.tip.position"
   std::string unit;  // SI
   bool is_force = false;
+  std::size_t group = 0;  // of which thread
   std::size_t row_offset = 0;
   double peak = 0.0;       // largest norm
   double peak_time = 0.0;  // [s]
@@ -29,8 +30,9 @@ class Highlights final : public RowSink {
     std::vector<Vector3> values{};
   };
 
-  void begin(const RowLayout& layout, const WiredGraph& graph) override;
-  void row(std::span<const std::byte> row) override;
+  std::string_view reader_name() const override { return "highlights"; }
+  void begin(const std::vector<RowLayout>& layouts, const WiredGraph& graph) override;
+  void row(std::size_t group, std::span<const std::byte> row) override;
 
   const std::vector<Highlight>& all() const { return all_; }
   /// Evenly spaced, the last row being the last of them.
@@ -38,7 +40,8 @@ class Highlights final : public RowSink {
 
  private:
   static constexpr std::size_t most_moments = 24;
-  void add(const RowLayout& layout, const OutputPort& output, std::size_t offset, bool is_force);
+  void add(const std::vector<RowLayout>& layouts, const OutputPort& output, std::size_t offset,
+           bool is_force);
 
   std::vector<Highlight> all_;
   std::vector<Moment> moments_;

@@ -120,12 +120,19 @@ InputPort::InputPort(Component* owner, std::string_view name, const TypeInfo* ty
 
 void InputPort::connect(const Source& source) {
   sources_.push_back(source);
-  attach(source.output->data() + source.offset);
+  attach(source.value != nullptr ? source.value : source.output->data() + source.offset);
+}
+
+const SampleInfo& InputPort::sample(std::size_t source) const RT_SAFE {
+  static constexpr SampleInfo of_this_thread{.tick = 0};
+  if (source >= sources_.size() || sources_[source].info == nullptr) return of_this_thread;
+  return *sources_[source].info;
 }
 
 double InputPort::delay() const {
   double longest = 0.0;
-  for (const Source& source : sources_) longest = std::max(longest, source.output->quality.delay);
+  for (const Source& source : sources_)
+    longest = std::max(longest, source.output->quality.delay + source.transfer);
   return longest;
 }
 

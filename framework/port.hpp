@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "framework/connection.hpp"
 #include "framework/realtime/rt_safe.hpp"
 #include "framework/types.hpp"
 #include "framework/units.hpp"
@@ -109,6 +110,9 @@ struct Source {
   const OutputPort* output = nullptr;
   std::size_t offset = 0;  // [bytes]
   bool this_tick = true;   // the output is written before it is read; else it is a tick old
+  const SampleInfo* info = nullptr;  // of a value from another thread
+  const std::byte* value = nullptr;  // where that is copied to
+  double transfer = 0.0;             // [s] that it may be older for that
 };
 
 class InputPort : public Port {
@@ -122,6 +126,9 @@ class InputPort : public Port {
 
   /// Called once the outputs have their places.
   void connect(const Source& source);
+
+  /// What is known of the value that is read: of one from the same thread, that it is valid.
+  const SampleInfo& sample(std::size_t source = 0) const RT_SAFE;
 
   /// [s] behind what the signal stands for.
   double delay() const;

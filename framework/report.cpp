@@ -107,19 +107,46 @@ std::string peaks_text(const Highlights& highlights) {
   return text;
 }
 
-std::string timing_text(const RunResult& result) {
+/// What keeping the time took from the machine.
+std::string cost_text(const RunResult& result) {
+  std::string text;
+  if (result.spin > 0.0 && result.wall_time > 0.0) {
+    std::int64_t spun = 0;
+    for (const ThreadResult& thread : result.threads) spun += thread.loop.spun_ns;
+    text += fmt::format("  guard spin {:.6g} µs: {:.1f} % of a processor\n", result.spin * 1e6,
+                        static_cast<double>(spun) * 1e-7 / result.wall_time);
+  }
+  if (result.latency_held)
+    text += "  /dev/cpu_dma_latency was held at 0: no processor slept deeply, which costs power\n";
+  return text;
+}
+
+std::string timing_text(const ThreadResult& thread, ClockKind clock) {
   const auto us = [](const TimingHistogram& histogram, double share) {
     return static_cast<double>(histogram.percentile(share)) * 1e-3;
   };
   std::string text = fmt::format("  one tick took {:.1f} µs (median), {:.1f} µs (99 %)\n",
-                                 us(result.loop.duration, 0.5), us(result.loop.duration, 0.99));
-  if (result.clock == ClockKind::realtime)
+                                 us(thread.loop.duration, 0.5), us(thread.loop.duration, 0.99));
+  if (clock == ClockKind::realtime)
     text += fmt::format(
         "  lateness {:.0f} µs (median), {:.0f} µs (99 %), {:.0f} µs (worst); {} slots "
-        "missed\n",
-        us(result.loop.lateness, 0.5), us(result.loop.lateness, 0.99),
-        static_cast<double>(result.loop.lateness.max()) * 1e-3, result.loop.skipped);
+        "missed, {} overruns\n",
+        us(thread.loop.lateness, 0.5), us(thread.loop.lateness, 0.99),
+        static_cast<double>(thread.loop.lateness.max()) * 1e-3, thread.loop.skipped,
+        thread.loop.overruns);
   return text;
+}
+
+/// Each thread says its name and rate where there are several.
+std::string threads_text(const RunResult& result) {
+  std::string text;
+  for (const ThreadResult& thread : result.threads) {
+    if (result.threads.size() > 1)
+      text += fmt::format("  thread {}: {} ticks at {:.6g} Hz\n", thread.name, thread.loop.ticks,
+                          thread.rate);
+    text += timing_text(thread, result.clock);
+  }
+  return text + cost_text(result);
 }
 
 std::string faults_text(const RunResult& result) {
@@ -130,6 +157,8 @@ std::string faults_text(const RunResult& result) {
   for (const std::string& shortcoming : result.shortcomings)
     text += fmt::format("  not real-time: {}\n", shortcoming);
   for (const std::string& lost : result.lost) text += fmt::format("  LOST: {}\n", lost);
+  for (const ReaderLoss& loss : result.missed)
+    text += fmt::format("  {}: {}\n", loss.matters ? "MISSED" : "missed", loss.text());
   return text;
 }
 
@@ -137,11 +166,11 @@ std::string run_text(const SessionRun& run) {
   const RunResult& result = run.result;
   return fmt::format(
              "{}{} ticks at {:.6g} Hz: {:.3f} s of {} time in {:.2f} s ({:.1f} × real time)\n",
-             result.interrupted ? "stopped by the operator after " : "ran ", result.loop.ticks,
-             result.rate, result.duration,
+             result.interrupted ? "stopped by the operator after " : "ran ",
+             result.main().loop.ticks, result.main().rate, result.duration,
              result.clock == ClockKind::simulated ? "virtual" : "real", result.wall_time,
              result.wall_time > 0.0 ? result.duration / result.wall_time : 0.0) +
-         moments_text(run.highlights) + peaks_text(run.highlights) + timing_text(result) +
+         moments_text(run.highlights) + peaks_text(run.highlights) + threads_text(result) +
          faults_text(result);
 }
 
@@ -149,12 +178,13 @@ std::string run_text(const SessionRun& run) {
 std::string short_run_text(const SessionRun& run, std::size_t number) {
   const RunResult& result = run.result;
   std::string text =
-      fmt::format("run {}: {:.3f} s at {:.6g} Hz", number, result.duration, result.rate);
+      fmt::format("run {}: {:.3f} s at {:.6g} Hz", number, result.duration, result.main().rate);
   for (const Highlight& one : run.highlights.all())
     if (one.is_force)
       text += fmt::format(", {} up to {:.2f} N", one.name.substr(0, one.name.rfind('.')), one.peak);
   if (result.interrupted) text += ", stopped by the operator";
-  const bool sound = result.faults.empty() && result.shortcomings.empty() && result.lost.empty();
+  const bool sound = result.faults.empty() && result.shortcomings.empty() && result.lost.empty() &&
+                     result.missed.empty();
   return text + (sound ? ", no faults\n" : "\n" + faults_text(result));
 }
 
@@ -232,14 +262,20 @@ std::string report_text(const Session& session) {
   std::string text;
   std::int64_t rows = 0;
   std::int64_t lost = 0;
+  std::int64_t missed = 0;  // by the recorder
   for (std::size_t i = 0; i < session.runs().size(); ++i) {
     const SessionRun& run = *session.runs()[i];
     text += session.runs().size() > 1 ? short_run_text(run, i + 1) : run_text(run);
-    rows += session.runs()[i]->result.loop.rows;
-    lost += session.runs()[i]->result.loop.rows_lost;
+    for (const ThreadResult& thread : run.result.threads) {
+      rows += thread.loop.rows;
+      lost += thread.loop.rows_lost;
+    }
+    for (const ReaderLoss& loss : run.result.missed)
+      if (loss.reader == Recorder::name) missed += static_cast<std::int64_t>(loss.records);
   }
   if (!session.log_path().empty())
-    text += fmt::format("recorded {} rows to {}, {} lost\n", rows, session.log_path(), lost);
+    text += fmt::format("recorded {} rows to {}, {} lost\n", rows - missed, session.log_path(),
+                        lost + missed);
   text += published_text(session);
   for (const std::string& trouble : session.troubles()) text += "LOG: " + trouble + "\n";
   return text;

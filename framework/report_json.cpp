@@ -47,28 +47,54 @@ Json faults(const RunResult& result) {
   return list;
 }
 
+Json missed(const RunResult& result) {
+  Json list = Json::array();
+  for (const ReaderLoss& loss : result.missed)
+    list.push_back({{"reader", loss.reader},
+                    {"records", loss.records},
+                    {"gaps", loss.gaps},
+                    {"time", loss.time}});
+  return list;
+}
+
+Json thread_json(const ThreadResult& thread) {
+  Json components = Json::object();
+  for (const ComponentTiming& component : thread.components)
+    components[component.name] = timing(component.time);
+  return {{"name", thread.name},
+          {"rate", thread.rate},
+          {"ticks", thread.loop.ticks},
+          {"skipped", thread.loop.skipped},
+          {"overruns", thread.loop.overruns},
+          {"spun", static_cast<double>(thread.loop.spun_ns) * 1e-9},
+          {"rows", thread.loop.rows},
+          {"rows_lost", thread.loop.rows_lost},
+          {"lateness", timing(thread.loop.lateness)},
+          {"tick_time", timing(thread.loop.duration)},
+          {"components", components}};
+}
+
 Json run_json(const SessionRun& run) {
   const RunResult& result = run.result;
-  Json components = Json::object();
-  for (const ComponentTiming& component : result.components)
-    components[component.name] = timing(component.time);
-  return {{"clock", result.clock == ClockKind::simulated ? "simulated" : "realtime"},
-          {"rate", result.rate},
-          {"ticks", result.loop.ticks},
-          {"skipped", result.loop.skipped},
-          {"duration", result.duration},
-          {"wall_time", result.wall_time},
-          {"speed", result.wall_time > 0.0 ? result.duration / result.wall_time : 0.0},
-          {"interrupted", result.interrupted},
-          {"rows", result.loop.rows},
-          {"rows_lost", result.loop.rows_lost},
-          {"lateness", timing(result.loop.lateness)},
-          {"tick_time", timing(result.loop.duration)},
-          {"components", components},
-          {"highlights", highlights(run.highlights)},
-          {"faults", faults(result)},
-          {"shortcomings", result.shortcomings},
-          {"lost", result.lost}};
+  Json threads = Json::array();
+  for (const ThreadResult& thread : result.threads) threads.push_back(thread_json(thread));
+  Json first = threads.front();  // its figures stand with the run as well
+  first.erase("name");
+  Json all = {{"clock", result.clock == ClockKind::simulated ? "simulated" : "realtime"},
+              {"duration", result.duration},
+              {"wall_time", result.wall_time},
+              {"speed", result.wall_time > 0.0 ? result.duration / result.wall_time : 0.0},
+              {"interrupted", result.interrupted},
+              {"spin", result.spin},
+              {"latency_held", result.latency_held}};
+  all.update(first);
+  all.update({{"threads", threads},
+              {"highlights", highlights(run.highlights)},
+              {"faults", faults(result)},
+              {"shortcomings", result.shortcomings},
+              {"lost", result.lost},
+              {"missed", missed(result)}});
+  return all;
 }
 
 }  // namespace

@@ -3,81 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "framework/realtime/loop_thread.hpp"
+#include "framework/loop_runner.hpp"
+#include "framework/realtime/cpu_latency_hold.hpp"
+#include "framework/realtime/throttling.hpp"
 #include "framework/recording/row_pump.hpp"
-#include "framework/text.hpp"
 
 namespace trocar {
 namespace {
-
-constexpr std::size_t ring_capacity = std::size_t{8} << 20;  // [bytes]: some seconds at 1 kHz
-
-/// The numbers that a value stands for, by the parameter's own rules; the parameter keeps its own.
-std::array<double, max_axes> numbers_of(ParameterBase& parameter, const Literal& value,
-                                        std::string& wrong) {
-  std::array<double, max_axes> numbers{};
-  const std::any kept = parameter.save();
-  wrong = parameter.set(value);
-  const std::span<double> now = parameter.numbers();
-  std::copy(now.begin(), now.end(), numbers.begin());
-  parameter.restore(kept);
-  return numbers;
-}
-
-class Scheduler {
- public:
-  Scheduler(const Graph& graph, const WiredGraph& wired) : graph_(graph), wired_(wired) {}
-
-  void add(const Edit& edit) {
-    const std::size_t dot = std::min(edit.key.rfind('.'), edit.key.size());
-    const auto node = graph_.find(edit.key.substr(0, dot));
-    const std::string name = dot < edit.key.size() ? edit.key.substr(dot + 1) : "";
-    if (!node || graph_.node(*node).settings().find_parameter(name) == nullptr) {
-      findings_.add(edit.where, fmt::format("nothing is called \"{}\"{}", edit.key,
-                                            suggestion(edit.key, graph_.parameter_keys())));
-      return;
-    }
-    const std::vector<ParameterBase*> moved = wired_.followers(graph_, {*node, name});
-    if (moved.empty()) refuse(edit, not_live);
-    for (ParameterBase* parameter : moved) add(edit, *parameter);
-  }
-  void add(const Command& command) { commands_.push_back(command); }
-  std::vector<Command> take() {
-    if (!findings_.empty()) throw BrokenGraph(findings_);
-    return std::move(commands_);
-  }
-
- private:
-  void add(const Edit& edit, ParameterBase& parameter) {
-    std::string wrong;
-    if (!parameter.live() || parameter.numbers().empty()) wrong = not_live;
-    Command command{.kind = Command::Kind::set_parameter,
-                    .not_before = std::llround(edit.at / wired_.period()),
-                    .parameter = &parameter,
-                    .owner = "",
-                    .target = {}};
-    if (wrong.empty()) command.target = numbers_of(parameter, edit.value, wrong);
-    for (const ScheduleItem& item : wired_.schedule())
-      for (const ParameterBase* own : item.component->parameters())
-        if (own == &parameter) command.owner = item.component->name().c_str();
-    if (!wrong.empty())
-      refuse(edit, wrong);
-    else
-      commands_.push_back(command);
-  }
-
-  void refuse(const Edit& edit, const std::string& why) {
-    findings_.add(edit.where, fmt::format("{} = {}: {}", edit.key, edit.value.text(), why));
-  }
-
-  static constexpr const char* not_live = "cannot be edited while it runs";
-  const Graph& graph_;
-  const WiredGraph& wired_;
-  Findings findings_;
-  std::vector<Command> commands_;
-};
 
 FaultRecord record_of(const Fault& fault) {
   return {to_string(fault.cause),
@@ -89,19 +24,59 @@ FaultRecord record_of(const Fault& fault) {
           static_cast<double>(fault.time_ns) * 1e-9};
 }
 
-RunResult result_of(const Executor& executor, const WiredGraph& graph, const RunOptions& options) {
-  RunResult result{.clock = options.clock, .rate = 1.0 / graph.period()};
-  result.loop = executor.statistics();
-  result.duration = static_cast<double>(result.loop.ticks + result.loop.skipped) * graph.period();
-  result.interrupted = options.stop != nullptr && options.stop->raised();
-  for (std::size_t i = 0; i < graph.schedule().size(); ++i)
-    result.components.push_back({graph.schedule()[i].component->name(), result.loop.components[i]});
-  for (std::size_t i = 0; i < executor.faults().size(); ++i)
-    result.faults.push_back(record_of(executor.faults()[i]));
+/// Of all threads, in the order of their time.
+std::vector<FaultRecord> faults_of(const std::deque<Executor>& executors) {
+  std::vector<FaultRecord> faults;
+  for (const Executor& executor : executors)
+    for (std::size_t i = 0; i < executor.faults().size(); ++i)
+      faults.push_back(record_of(executor.faults()[i]));
+  std::stable_sort(faults.begin(), faults.end(),
+                   [](const FaultRecord& a, const FaultRecord& b) { return a.time < b.time; });
+  return faults;
+}
+
+ThreadResult result_of(const Executor& executor) {
+  const RateGroup& group = executor.group();
+  ThreadResult result{
+      .name = group.name(), .rate = 1.0 / group.period(), .loop = executor.statistics()};
+  for (std::size_t i = 0; i < group.schedule().size(); ++i)
+    result.components.push_back({group.schedule()[i].component->name(), result.loop.components[i]});
   return result;
 }
 
+/// Slots within the duration of a run.
+std::int64_t slots_of(const RateGroup& group, const std::optional<double>& duration) {
+  if (!duration) return -1;
+  const double phase = 1e-9 * static_cast<double>(group.phase_ns());
+  return std::max<std::int64_t>(0, std::llround((*duration - phase) / group.period()));
+}
+
+/// Only what one processor has to do counts, so of each thread alone.
+std::string throttling_of(const ThreadResult& thread, double wall_time) {
+  if (wall_time <= 0.0) return "";
+  const TimingHistogram& ticks = thread.loop.duration;
+  const double busy = ticks.mean() * static_cast<double>(ticks.count()) +
+                      static_cast<double>(thread.loop.spun_ns);  // [ns]
+  return throttling(busy * 1e-9 / wall_time, real_time_share());
+}
+
+std::int64_t spin_ns(const RunOptions& options) {
+  constexpr double longest = 1e4;  // [s]; far longer than any period
+  const double spin = options.timing.spin;
+  return std::isnan(spin) ? -1 : std::llround(std::clamp(spin, -longest, longest) * 1e9);
+}
+
 }  // namespace
+
+std::string check_spin(const RunOptions& options, const Graph& graph) {
+  for (NodeId id = 0; id < graph.size(); ++id) {
+    const double own = graph.threads()[graph.node(id).thread].rate;
+    const double rate = own > 0.0 ? own : options.wiring.rate;
+    if (std::string wrong = check_spin(spin_ns(options), std::llround(1e9 / rate)); !wrong.empty())
+      return wrong;
+  }
+  return "";
+}
 
 std::string FaultRecord::text() const {
   std::string text = fmt::format("{} in {} at tick {} ({:.3f} s)", cause, component, tick, time);
@@ -112,37 +87,71 @@ std::string FaultRecord::text() const {
 
 RunResult run(const Graph& graph, const RunOptions& options) {
   const std::unique_ptr<WiredGraph> wired = wire(graph, options.wiring);
-  const RowLayout layout(*wired);
-  Scheduler scheduler(graph, *wired);
-  for (const Edit& edit : options.edits) scheduler.add(edit);
-  if (options.engage) scheduler.add({.kind = Command::Kind::engage});
+  const std::vector<RowLayout> layouts = layouts_of(*wired);
+  std::vector<std::vector<Command>> commands = schedule_edits(options.edits, graph, *wired);
 
-  RecordRing ring(std::max(ring_capacity, 64 * layout.size()));
+  // In virtual time all threads write one ring, in the order in which they run.
+  const bool simulated = options.clock == ClockKind::simulated;
+  std::size_t largest = sizeof(Event);
+  for (const RowLayout& layout : layouts) largest = std::max(largest, layout.size());
+  std::deque<BroadcastRing> rings;
+  for (std::size_t i = 0; i < (simulated ? 1 : layouts.size()); ++i)
+    rings.emplace_back(ring_capacity(layouts[i], wired->groups()[i].period(), simulated), largest);
   std::vector<RowSink*> sinks = options.sinks;
   std::shared_ptr<RowStore> rows;
   if (options.keep_rows) sinks.push_back((rows = std::make_shared<RowStore>()).get());
 
-  ExecutorOptions executor_options{
-      .schedule = scheduler.take(), .records = &ring, .layout = &layout, .stop = options.stop};
-  if (options.duration) executor_options.ticks = std::llround(*options.duration / wired->period());
-  Executor executor(*wired, executor_options);
-  std::unique_ptr<Clock> clock;
-  if (options.clock == ClockKind::simulated)
-    clock = std::make_unique<SimulatedClock>();
-  else
-    clock = std::make_unique<PeriodicClock>();
+  StopFlag ended;
+  std::deque<Executor> executors;
+  for (std::size_t i = 0; i < layouts.size(); ++i) {
+    const RateGroup& group = wired->groups()[i];
+    if (options.engage) commands[i].push_back({.kind = Command::Kind::engage});
+    executors.emplace_back(group, ExecutorOptions{.ticks = slots_of(group, options.duration),
+                                                  .schedule = std::move(commands[i]),
+                                                  .records = &rings[simulated ? 0 : i],
+                                                  .layout = &layouts[i],
+                                                  .stop = options.stop,
+                                                  .end_all = &ended,
+                                                  .overload = options.timing.overload,
+                                                  .index = static_cast<std::uint32_t>(i)});
+  }
+  if (const std::string wrong = check_spin(options, graph); !simulated && !wrong.empty())
+    throw std::invalid_argument(wrong);
+  std::optional<CpuLatencyHold> hold;
+  if (options.timing.hold_latency && !simulated) hold.emplace();
 
-  RowPump pump(ring, sinks, layout, *wired);
+  RowPump pump(rings, sinks, layouts, *wired, simulated);
   const std::int64_t begin = monotonic_ns();
-  const Shortcomings shortcomings =
-      run_on_loop_thread({.realtime = !clock->simulated()}, [&] { executor.run(*clock); });
+  Shortcomings shortcomings;
+  if (simulated)
+    run_in_virtual_time(executors);
+  else
+    shortcomings = run_in_real_time(executors, spin_ns(options));
   const std::int64_t end = monotonic_ns();
 
-  std::vector<std::string> lost = pump.finish();
-  RunResult result = result_of(executor, *wired, options);
+  PumpResult readers = pump.finish();
+  RunResult result{.clock = options.clock};
+  for (const Executor& executor : executors) {
+    result.threads.push_back(result_of(executor));
+    const LoopStatistics& loop = result.threads.back().loop;
+    result.duration =
+        std::max(result.duration,
+                 1e-9 * static_cast<double>(executor.group().phase_ns()) +
+                     static_cast<double>(loop.ticks + loop.skipped) * executor.group().period());
+  }
+  result.faults = faults_of(executors);
+  result.interrupted = options.stop != nullptr && options.stop->raised();
   result.wall_time = static_cast<double>(end - begin) * 1e-9;
-  result.shortcomings = shortcomings;
-  result.lost = std::move(lost);
+  result.shortcomings = std::move(shortcomings);
+  if (!simulated) result.spin = options.timing.spin;
+  result.latency_held = hold && hold->held();
+  if (hold && !hold->held()) result.shortcomings.push_back(hold->shortcoming());
+  for (const ThreadResult& thread : result.threads)
+    if (std::string halted = throttling_of(thread, simulated ? 0.0 : result.wall_time);
+        !halted.empty())
+      result.shortcomings.push_back(std::move(halted));
+  result.lost = std::move(readers.failures);
+  result.missed = std::move(readers.losses);
   result.rows = std::move(rows);
   return result;
 }

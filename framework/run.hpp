@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/edit_schedule.hpp"
 #include "framework/executor.hpp"
 #include "framework/recording/row_sink.hpp"
 #include "framework/recording/row_store.hpp"
@@ -14,16 +15,16 @@ namespace trocar {
 
 enum class ClockKind { realtime, simulated };
 
-/// A change of a parameter while the graph runs.
-struct Edit {
-  double at = 0.0;  // [s]
-  std::string key;  // "wall.stiffness"
-  Literal value;
-  Where where;
+/// How the loop keeps time, and what follows when it cannot. In virtual time none of it applies.
+struct LoopTiming {
+  double spin = 0.0;          // [s] busy-waiting before each slot, shorter than the period; 0: off
+  bool hold_latency = false;  // keep the processors out of deep sleep, see CpuLatencyHold
+  OverloadSettings overload{};
 };
 
 struct RunOptions {
   ClockKind clock = ClockKind::realtime;
+  LoopTiming timing{};
   std::optional<double> duration{};  // [s]; without one it runs until stopped
   WiringOptions wiring{};
   std::vector<Edit> edits{};
@@ -51,23 +52,39 @@ struct ComponentTiming {
   TimingHistogram time;
 };
 
+/// What one thread of a run came to.
+struct ThreadResult {
+  std::string name;
+  double rate = 0.0;  // [Hz]
+  LoopStatistics loop{};
+  std::vector<ComponentTiming> components{};
+};
+
 /// What a run came to.
 struct RunResult {
   ClockKind clock = ClockKind::realtime;
-  double rate = 0.0;       // [Hz]
+  std::vector<ThreadResult> threads{};
   double duration = 0.0;   // [s] of its own time
   double wall_time = 0.0;  // [s]
+  double spin = 0.0;       // [s] as asked for
+  bool latency_held = false;
   bool interrupted = false;
-  LoopStatistics loop{};
-  std::vector<ComponentTiming> components{};
-  std::vector<FaultRecord> faults{};
+  std::vector<FaultRecord> faults{};        // of all threads, by time
   std::vector<std::string> shortcomings{};  // of the machine, for real time
   std::vector<std::string> lost{};          // readers of rows that gave up, and why
+  std::vector<ReaderLoss> missed{};         // readers of rows that fell behind
   std::shared_ptr<RowStore> rows{};
+
+  /// The first thread, and the only one where a script declares none.
+  const ThreadResult& main() const { return threads.front(); }
 };
+
+/// "" when the guard spin suits every thread, else what is wrong.
+std::string check_spin(const RunOptions& options, const Graph& graph);
 
 /// Wires the graph and runs it once.
 /// @throw BrokenGraph with every finding
+/// @throw std::invalid_argument when options.timing is out of range
 RunResult run(const Graph& graph, const RunOptions& options);
 
 }  // namespace trocar

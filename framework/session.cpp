@@ -77,14 +77,18 @@ void Session::open_log() {
 
 const SessionRun& Session::run(RunOptions wanted) {
   wanted.clock = options_.clock;
+  wanted.timing = options_.timing;
   if (options_.duration) wanted.duration = options_.duration;
   if (!wanted.duration && options_.clock == ClockKind::simulated)
     wanted.duration = options_.default_duration;
   if (options_.seed) wanted.wiring.seed = *options_.seed;
   wanted.stop = options_.stop;
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);
-  if (const Findings findings = check(graph_, wanted.wiring); !findings.empty())
-    throw BrokenGraph(findings);  // before a log is begun
+  Findings findings = check(graph_, wanted.wiring);
+  if (const std::string wrong = check_spin(wanted, graph_);
+      wanted.clock == ClockKind::realtime && !wrong.empty())
+    findings.add({"--spin", 0}, wrong);
+  if (!findings.empty()) throw BrokenGraph(findings);  // before a log is begun
   open_log();
   if (log_)
     try_log([&] {
@@ -127,7 +131,12 @@ void Session::try_log(const std::function<void()>& write) {
 bool Session::sound() const {
   return troubles_.empty() && std::all_of(runs_.begin(), runs_.end(), [](const auto& run) {
            const RunResult& result = run->result;
-           return result.faults.empty() && result.lost.empty() && result.loop.rows_lost == 0;
+           return result.faults.empty() && result.lost.empty() &&
+                  std::all_of(
+                      result.threads.begin(), result.threads.end(),
+                      [](const ThreadResult& thread) { return thread.loop.rows_lost == 0; }) &&
+                  std::none_of(result.missed.begin(), result.missed.end(),
+                               [](const ReaderLoss& loss) { return loss.matters; });
          });
 }
 

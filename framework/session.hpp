@@ -17,6 +17,7 @@ namespace trocar {
 /// What the command line says about a session; it wins over the script.
 struct SessionOptions {
   ClockKind clock = ClockKind::realtime;
+  LoopTiming timing{};
   std::optional<double> duration{};     // [s] --for
   double default_duration = 10.0;       // [s] in virtual time, where nobody says
   std::optional<std::uint64_t> seed{};  // --seed

@@ -49,10 +49,11 @@ std::unique_ptr<WiredGraph> Wiring::build() {
   check_wires();
   check_inputs();
   check_rates();
+  check_connections();
   check_truth();
   order();
   if (!findings_.empty()) throw BrokenGraph(findings_);
-  lay_out_memory();
+  make_groups();
   connect();
   configure();
   check_limits();
@@ -62,8 +63,6 @@ std::unique_ptr<WiredGraph> Wiring::build() {
 }
 
 void Wiring::instantiate() {
-  result_->period_ns_ = std::llround(1e9 / options_.rate);
-  result_->period_ = static_cast<double>(result_->period_ns_) * 1e-9;
   for (NodeId id = 0; id < graph_.size(); ++id) {
     const Graph::Node& node = graph_.node(id);
     std::unique_ptr<Component> component;
@@ -197,7 +196,8 @@ void Wiring::resolve_wires() {
     wires_into_[to].push_back(wires_.size());
     wires_of_[wire.from.node].push_back(wires_.size());
     wires_of_[wire.to.node].push_back(wires_.size());
-    wires_.push_back({wire.from.node, wire.to.node, from, to, wire.from.path, wire.where});
+    wires_.push_back(
+        {wire.from.node, wire.to.node, from, to, wire.from.path, wire.from.connection, wire.where});
   }
 }
 
@@ -231,106 +231,66 @@ void Wiring::check_rates() {
   for (NodeId id = 0; id < graph_.size(); ++id) {
     const Graph::Node& node = graph_.node(id);
     if (node.rate == 0.0) continue;
-    const double ratio = options_.rate / node.rate;
+    const double thread_rate = this->thread_rate(id);
+    const double ratio = thread_rate / node.rate;
     const double divider = std::round(ratio);
     if (!(node.rate > 0.0) || !(ratio >= 1.0 - 1e-9))
       findings_.add(where_set(id, "rate"),
                     fmt::format("{}: {} Hz is not within 0 to the thread's {} Hz", node.name,
-                                node.rate, options_.rate));
+                                node.rate, thread_rate));
     else if (std::abs(ratio - divider) > 1e-9 * ratio)
       findings_.add(
           where_set(id, "rate"),
           fmt::format("{}: {:.6g} Hz does not divide the thread's {:.6g} Hz; near are {:.6g} and "
                       "{:.6g} Hz",
-                      node.name, node.rate, options_.rate, options_.rate / std::floor(ratio),
-                      options_.rate / std::ceil(ratio)));
+                      node.name, node.rate, thread_rate, thread_rate / std::floor(ratio),
+                      thread_rate / std::ceil(ratio)));
     else if (node.phase < 0 || static_cast<double>(node.phase) >= divider)
       findings_.add(where_set(id, "rate"), fmt::format("{}: phase {} is not within 0–{}", node.name,
                                                        node.phase, divider - 1.0));
   }
 }
 
-void Wiring::lay_out_memory() {
-  std::vector<double>& memory = result_->memory_;
-  const auto size_in_words = [](const OutputPort& output) {
-    return (output.signature()->type->size + 7) / 8;
-  };
-  const auto is_number = [](const OutputPort& output) {
-    const TypeInfo& type = *output.signature()->type;
-    return !type.fields.empty() || type.scalar == Scalar::real;
-  };
-  std::size_t words = 0;
-  for (const NodeId id : order_)
-    for (const OutputPort* output : result_->components_[id]->outputs())
-      words += size_in_words(*output);
-  memory.assign(words, 0.0);
-
-  std::size_t at = 0;
-  for (const bool numbers : {true, false}) {
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      const std::size_t begin = at;
-      for (OutputPort* output : result_->components_[order_[i]]->outputs()) {
-        if (is_number(*output) != numbers) continue;
-        output->place(reinterpret_cast<std::byte*>(&memory[at]));
-        at += size_in_words(*output);
-      }
-      if (numbers) {
-        const Graph::Node& node = graph_.node(order_[i]);
-        const double divider = node.rate == 0.0 ? 1.0 : std::round(options_.rate / node.rate);
-        result_->schedule_.push_back({.component = result_->components_[order_[i]].get(),
-                                      .divider = static_cast<std::int64_t>(divider),
-                                      .phase = node.phase,
-                                      .begin = begin,
-                                      .end = at});
-      }
-    }
-    if (numbers) result_->number_count_ = at;
-  }
-}
-
-void Wiring::connect() {
-  const auto position = [&](NodeId id) { return std::find(order_.begin(), order_.end(), id); };
-  for (const ResolvedWire& wire : wires_)
-    wire.to->connect({wire.from, select_field(*wire.from->signature(), wire.path).offset,
-                      position(wire.from_node) < position(wire.to_node)});
-}
-
+/// Thread after thread: what comes from a later one counts as exact.
 void Wiring::configure() {
   // What is fed by a component that refused would be configured on nothing.
   std::vector<bool> unsound(graph_.size(), false);
   std::vector<std::vector<NodeId>> feeds(graph_.size());
   for (const ResolvedWire& wire : wires_)
     if (wire.to->feedthrough()) feeds[wire.from_node].push_back(wire.to_node);
-  for (std::size_t i = 0; i < order_.size(); ++i) {
-    if (unsound[order_[i]]) {
-      for (const NodeId next : feeds[order_[i]]) unsound[next] = true;
+  for (const NodeId id : order_) {
+    if (unsound[id]) {
+      for (const NodeId next : feeds[id]) unsound[next] = true;
       continue;
     }
-    Component& component = *result_->components_[order_[i]];
-    const double divider = static_cast<double>(result_->schedule_[i].divider);
+    Component& component = *result_->components_[id];
+    const RateGroup& group = group_of(id);
+    const double divider = static_cast<double>(group.schedule()[item_index_[id]].divider);
     try {
-      component.configure({.period = result_->period_ * divider,
-                           .seed = seed_for(options_.seed, component.name())});
+      component.configure(
+          {.period = group.period() * divider, .seed = seed_for(options_.seed, component.name())});
     } catch (const std::invalid_argument& error) {
-      findings_.add(where_of(order_[i]), fmt::format("{}: {}", component.name(), error.what()));
-      for (const NodeId next : feeds[order_[i]]) unsound[next] = true;
+      findings_.add(where_of(id), fmt::format("{}: {}", component.name(), error.what()));
+      for (const NodeId next : feeds[id]) unsound[next] = true;
     }
   }
 }
 
 void Wiring::check_limits() {
   constexpr std::size_t most_devices = 32;  // a bit each in the schedule's dependencies
-  if (result_->devices_.size() > most_devices)
-    findings_.add({}, fmt::format("{} devices in one graph: {} are possible",
-                                  result_->devices_.size(), most_devices));
+  for (const RateGroup& group : result_->groups())
+    if (group.devices().size() > most_devices)
+      findings_.add({}, fmt::format("{} devices in one thread: {} are possible",
+                                    group.devices().size(), most_devices));
   if (!findings_.empty()) return;
-  for (Device* device : result_->devices_) {
-    const std::vector<std::string> missing = device->limits().missing();
-    if (!missing.empty())
-      findings_.add(where_of(*graph_.find(device->name())),
-                    fmt::format("{}: the device does not declare its limits: {}", device->name(),
-                                join(missing, ", ")));
-  }
+  for (const RateGroup& group : result_->groups())
+    for (const Device* device : group.devices()) {
+      const std::vector<std::string> missing = device->limits().missing();
+      if (!missing.empty())
+        findings_.add(where_of(*graph_.find(device->name())),
+                      fmt::format("{}: the device does not declare its limits: {}", device->name(),
+                                  join(missing, ", ")));
+    }
 }
 
 std::unique_ptr<WiredGraph> wire(const Graph& graph, const WiringOptions& options) {
@@ -344,10 +304,6 @@ Findings check(const Graph& graph, const WiringOptions& options) {
   } catch (const BrokenGraph& broken) {
     return broken.findings;
   }
-}
-
-std::size_t WiredGraph::offset_of(const OutputPort& output) const {
-  return static_cast<std::size_t>(output.data() - memory());
 }
 
 Component* WiredGraph::find(std::string_view name) const {

@@ -14,7 +14,8 @@ struct ResolvedWire {
   NodeId to_node = 0;
   OutputPort* from = nullptr;
   InputPort* to = nullptr;
-  std::string path;  // of the field that is read
+  std::string path;                      // of the field that is read
+  std::optional<Connection> connection;  // to another thread
   Where where;
 
   std::string text() const;  // "sine.value → wall.offset"
@@ -45,15 +46,22 @@ class Wiring {
   void check_inputs();
   void check_truth();  // wiring_dependencies.cpp
   void mark_dependencies();
+  std::vector<bool> upstream(const std::vector<const InputPort*>& inputs) const;
   std::vector<bool> upstream(const InputPort& input) const;
   const std::vector<std::size_t>& wires_into(const InputPort& input) const;
   void check_rates();
+  void check_connections();  // wiring_threads.cpp
+  void make_groups();
+  void connect_across(const ResolvedWire& wire);
   void order();  // wiring_order.cpp
   void report_loop(const std::vector<NodeId>& waiting);
-  void lay_out_memory();
+  void lay_out_memory(RateGroup& group);
   void connect();
   void configure();
   void check_limits();
+  /// [Hz] of the thread that a node belongs to.
+  double thread_rate(NodeId node) const;
+  RateGroup& group_of(NodeId node) { return result_->groups_[group_index_[node]]; }
   const Where& where_of(NodeId node) const { return graph_.node(node).where; }
   Where where_set(NodeId node, const std::string& parameter) const;
 
@@ -64,7 +72,10 @@ class Wiring {
   std::vector<ResolvedWire> wires_;
   std::vector<std::vector<std::size_t>> wires_of_;  // by node, either end: index of wires_
   std::unordered_map<const InputPort*, std::vector<std::size_t>> wires_into_;  // index of wires_
-  std::vector<NodeId> order_;
+  std::vector<NodeId> order_;                                                  // of all threads
+  std::vector<std::size_t> position_;                                          // by node, in order_
+  std::vector<std::size_t> group_index_;                                       // by node
+  std::vector<std::size_t> item_index_;  // by node, in its group's schedule
   /// A group's parameters belong to the description: what a run sets there is put back.
   std::vector<std::pair<ParameterBase*, std::any>> borrowed_;
 };

@@ -14,9 +14,9 @@ bool is_device(const Component& component) {
 
 /// Every node that the input's value is computed from. A device ends the search: what it measures
 /// is a measurement, whatever moved it.
-std::vector<bool> Wiring::upstream(const InputPort& input) const {
+std::vector<bool> Wiring::upstream(const std::vector<const InputPort*>& inputs) const {
   std::vector<bool> reached(graph_.size(), false);
-  std::vector<const InputPort*> open = {&input};
+  std::vector<const InputPort*> open = inputs;
   while (!open.empty()) {
     const InputPort* port = open.back();
     open.pop_back();
@@ -30,6 +30,10 @@ std::vector<bool> Wiring::upstream(const InputPort& input) const {
     }
   }
   return reached;
+}
+
+std::vector<bool> Wiring::upstream(const InputPort& input) const {
+  return upstream(std::vector<const InputPort*>{&input});
 }
 
 void Wiring::check_truth() {
@@ -50,14 +54,28 @@ void Wiring::check_truth() {
   }
 }
 
+/// Within each thread. What another thread computes says itself, with each value that it sends,
+/// whether that may be used.
 void Wiring::mark_dependencies() {
-  for (std::size_t d = 0; d < result_->devices_.size(); ++d) {
-    const unsigned bit = 1u << d;
-    const std::vector<bool> effort = upstream(result_->devices_[d]->effort_port());
-    const std::vector<bool> hold = upstream(result_->devices_[d]->hold_port());
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      if (effort[order_[i]]) result_->schedule_[i].reaches_effort |= bit;
-      if (hold[order_[i]]) result_->schedule_[i].reaches_hold |= bit;
+  for (RateGroup& group : result_->groups_) {
+    const auto mark = [&](const std::vector<bool>& reached, const auto& set) {
+      for (const NodeId id : order_)
+        if (reached[id] && &group_of(id) == &group) set(group.schedule_[item_index_[id]]);
+    };
+    for (std::size_t d = 0; d < group.devices_.size(); ++d) {
+      const unsigned bit = 1u << d;
+      mark(upstream(group.devices_[d]->effort_port()),
+           [&](ScheduleItem& item) { item.reaches_effort |= bit; });
+      mark(upstream(group.devices_[d]->hold_port()),
+           [&](ScheduleItem& item) { item.reaches_hold |= bit; });
+    }
+    for (const Departure& departure : group.departures_) {
+      ScheduleItem& maker = group.schedule_[departure.item];
+      maker.reaches_crossing |= departure.mask;
+      if (is_device(*maker.component)) continue;
+      const auto& inputs = maker.component->inputs();
+      mark(upstream(std::vector<const InputPort*>(inputs.begin(), inputs.end())),
+           [&](ScheduleItem& item) { item.reaches_crossing |= departure.mask; });
     }
   }
 }

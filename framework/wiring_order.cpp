@@ -17,6 +17,7 @@ void Wiring::order() {
   std::vector<std::size_t> would_follow(graph_.size(), 0);
   std::vector<std::vector<const ResolvedWire*>> wires_from(graph_.size());
   for (const ResolvedWire& wire : wires_) {
+    if (wire.connection) continue;  // what comes from another thread comes from an earlier tick
     ++(wire.to->feedthrough() ? waits_for : would_follow)[wire.to_node];
     wires_from[wire.from_node].push_back(&wire);
   }
@@ -34,8 +35,6 @@ void Wiring::order() {
     const NodeId id = *first;
     ready.erase(first);
     order_.push_back(id);
-    if (auto* device = dynamic_cast<Device*>(result_->components_[id].get()))
-      result_->devices_.push_back(device);
     for (const ResolvedWire* wire : wires_from[id]) {
       if (!wire->to->feedthrough())
         --would_follow[wire->to_node];
@@ -59,7 +58,8 @@ void Wiring::report_loop(const std::vector<NodeId>& waiting) {
   NodeId at = waiting.front();
   while (true) {
     const auto into = std::find_if(wires_.begin(), wires_.end(), [&](const ResolvedWire& wire) {
-      return wire.to_node == at && wire.to->feedthrough() && is_waiting(wire.from_node);
+      return wire.to_node == at && wire.to->feedthrough() && !wire.connection &&
+             is_waiting(wire.from_node);
     });
     if (into == wires_.end()) return;
     const auto seen = std::find_if(path.begin(), path.end(),

@@ -23,4 +23,19 @@ std::int64_t TimingHistogram::percentile(double share) const {
   return max();
 }
 
+void TimingHistogram::add(const TimingHistogram& other) {
+  for (std::size_t i = 0; i < bins_.size(); ++i) bins_[i] += other.bins_[i];
+  count_ += other.count_;
+  total_ += other.total_;
+  max_ = std::max(max_, other.max_);
+}
+
+std::vector<TimingHistogram::Bin> TimingHistogram::bins() const {
+  std::vector<Bin> filled;
+  for (std::size_t i = 0; i < bins_.size(); ++i)
+    if (bins_[i] > 0)
+      filled.push_back({i == 0 ? 0 : upper_edge(i - 1) + 1, upper_edge(i), bins_[i]});
+  return filled;
+}
+
 }  // namespace trocar

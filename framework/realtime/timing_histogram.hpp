@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <vector>
 
 #include "framework/realtime/rt_safe.hpp"
 
@@ -21,6 +22,9 @@ class TimingHistogram {
     total_ += value;
     if (value > max_) max_ = value;
   }
+  /// All samples of another one.
+  void add(const TimingHistogram& other);
+
   std::uint64_t count() const { return count_; }
   std::int64_t max() const { return static_cast<std::int64_t>(max_); }
   double mean() const {
@@ -29,6 +33,15 @@ class TimingHistogram {
 
   /// [ns] that the share (0 to 1) of all samples does not exceed: the upper edge of its bin.
   std::int64_t percentile(double share) const;
+
+  /// Samples from `lower` to `upper` [ns], both included.
+  struct Bin {
+    std::int64_t lower = 0;
+    std::int64_t upper = 0;
+    std::uint64_t count = 0;
+  };
+  /// Those that are not empty, in order.
+  std::vector<Bin> bins() const;
 
  private:
   static constexpr int sub_bits = 4;

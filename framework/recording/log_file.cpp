@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 
 #include "framework/recording/cdr.hpp"
 
@@ -18,6 +19,7 @@ std::string event_schema() {
   return ros2_schema_text({{"trocar/Event",
                             {{"tick", "int64", 0, {}},
                              {"time", "int64", 0, "[ns] since the start"},
+                             {"thread", "string", 0, "whose tick it is"},
                              {"kind", "string", 0, {}},
                              {"source", "string", 0, "component"},
                              {"detail", "string", 0, {}},
@@ -65,43 +67,65 @@ std::string LogFile::topic(std::string_view name) const {
 Recorder::Recorder(LogFile& log, RowLayout::Selection wanted)
     : log_(log), wanted_(std::move(wanted)) {}
 
-void Recorder::begin(const RowLayout& layout, const WiredGraph& graph) {
+void Recorder::begin(const std::vector<RowLayout>& layouts, const WiredGraph& graph) {
   start_ns_ = last_ns_ = log_.begin_run();
-  const RowLayout narrow(graph, wanted_);
-  const std::size_t head =
-      layout.ports().empty() ? layout.size() : layout.ports().front().row_offset;
-  pieces_ = {{0, 0, head}};
-  for (const RowPort& port : narrow.ports()) {
-    const auto full = std::find_if(layout.ports().begin(), layout.ports().end(),
-                                   [&](const RowPort& other) { return other.name == port.name; });
-    pieces_.push_back({full->row_offset, port.row_offset, port.size});
-  }
-  message_.assign(cdr_head + narrow.size(), std::byte{0});
-  std::memcpy(message_.data(), cdr_little_endian, cdr_head);
-
+  const std::vector<RowLayout> narrow = layouts_of(graph, wanted_);
+  for (std::size_t i = 0; i < layouts.size(); ++i)
+    groups_.push_back(begin_group(layouts[i], narrow[i]));
   McapWriter& writer = log_.writer();
-  const std::uint16_t row_schema =
-      writer.schema("trocar/Row", "ros2msg", ros2_schema_text(narrow.messages()));
-  rows_ = writer.channel(log_.topic("main"), row_schema, "cdr",
-                         {{"period_ns", std::to_string(graph.period_ns())}});
   const std::uint16_t event = writer.schema("trocar/Event", "ros2msg", event_schema());
   events_ = writer.channel(log_.topic("events"), event, "cdr");
 }
 
-void Recorder::row(std::span<const std::byte> row) {
-  for (const Piece& piece : pieces_)
-    std::memcpy(message_.data() + cdr_head + piece.to, row.data() + piece.from, piece.size);
-  const RowHeader header = header_of(row);
-  last_ns_ = start_ns_ + static_cast<std::uint64_t>(header.time);
-  log_.writer().message(rows_, static_cast<std::uint32_t>(header.tick), last_ns_, last_ns_,
-                        message_);
+Recorder::Group Recorder::begin_group(const RowLayout& layout, const RowLayout& narrow) {
+  Group group;
+  group.name = layout.name();
+  const std::size_t head =
+      layout.ports().empty() ? layout.size() : layout.ports().front().row_offset;
+  group.pieces = {{0, 0, head}};
+  std::map<std::string_view, std::size_t> full;
+  for (const RowPort& port : layout.ports()) full.emplace(port.name, port.row_offset);
+  for (const RowPort& port : narrow.ports())
+    group.pieces.push_back({full.at(port.name), port.row_offset, port.size});
+  group.message.assign(cdr_head + narrow.size(), std::byte{0});
+  std::memcpy(group.message.data(), cdr_little_endian, cdr_head);
+
+  McapWriter& writer = log_.writer();
+  const std::uint16_t schema =
+      writer.schema("trocar/Row", "ros2msg", ros2_schema_text(narrow.messages()));
+  group.channel = writer.channel(log_.topic(layout.name()), schema, "cdr",
+                                 {{"period_ns", std::to_string(layout.period_ns())}});
+  return group;
 }
 
-void Recorder::event(const Event& event) {
+void Recorder::row(std::size_t index, std::span<const std::byte> row) {
+  Group& group = groups_[index];
+  const RowHeader header = header_of(row);
+  write_missed(index, header.tick, header.time);
+  for (const Piece& piece : group.pieces)
+    std::memcpy(group.message.data() + cdr_head + piece.to, row.data() + piece.from, piece.size);
+  const std::uint64_t time = start_ns_ + static_cast<std::uint64_t>(header.time);
+  last_ns_ = std::max(last_ns_, time);
+  log_.writer().message(group.channel, static_cast<std::uint32_t>(header.tick), time, time,
+                        group.message);
+}
+
+void Recorder::event(std::size_t group, const Event& event) {
+  write_missed(group, event.tick, event.time_ns);
+  write(group, event);
+}
+
+void Recorder::write_missed(std::size_t group, std::int64_t tick, std::int64_t time_ns) {
+  if (missed_ > 0) write(group, missed_event(name, missed_, tick, time_ns));
+  missed_ = 0;
+}
+
+void Recorder::write(std::size_t group, const Event& event) {
   std::vector<std::byte> message;
   CdrWriter cdr(message);
   cdr.number(event.tick);
   cdr.number(event.time_ns);
+  cdr.string(groups_[group].name);
   cdr.string(to_string(event.kind));
   cdr.string(event.source);
   const std::string_view what = event.what;

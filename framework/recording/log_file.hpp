@@ -26,7 +26,7 @@ class LogFile {
   void close();
 
   McapWriter& writer() { return writer_; }
-  /// Topics of the n-th run: "/main", "/run2/main", …
+  /// Topics of the n-th run: "/main" (a thread's name), "/run2/main", …
   std::string topic(std::string_view name) const;
   std::uint64_t begin_run() { return ++run_, start_ns_; }
   void end_run(std::uint64_t last_ns) { start_ns_ = last_ns; }
@@ -46,22 +46,35 @@ class Recorder final : public RowSink {
  public:
   /// @param wanted which ports; a device's are recorded always
   Recorder(LogFile& log, RowLayout::Selection wanted);
-  void begin(const RowLayout& layout, const WiredGraph& graph) override;
-  void row(std::span<const std::byte> row) override;
-  void event(const Event& event) override;
+  std::string_view reader_name() const override { return name; }
+  void begin(const std::vector<RowLayout>& layouts, const WiredGraph& graph) override;
+  void row(std::size_t group, std::span<const std::byte> row) override;
+  void event(std::size_t group, const Event& event) override;
+  /// An event of kind "rows missed" stands before what comes next.
+  void missed(std::uint64_t records) override { missed_ += records; }
   void end() override;
 
+  static constexpr const char* name = "recorder";
+
  private:
+  void write_missed(std::size_t group, std::int64_t tick, std::int64_t time_ns);
+  void write(std::size_t group, const Event& event);
   struct Piece {  // of a full row, taken into the narrower one
     std::size_t from, to, size;
   };
   LogFile& log_;
   RowLayout::Selection wanted_;
-  std::vector<Piece> pieces_;
-  std::vector<std::byte> message_;
-  std::uint16_t rows_ = 0;
+  struct Group {  // a thread's rows
+    std::string name;
+    std::vector<Piece> pieces;
+    std::vector<std::byte> message;
+    std::uint16_t channel = 0;
+  };
+  Group begin_group(const RowLayout& layout, const RowLayout& narrow);
+  std::vector<Group> groups_;
   std::uint16_t events_ = 0;
   std::uint32_t event_count_ = 0;
+  std::uint64_t missed_ = 0;  // and not written yet
   std::uint64_t start_ns_ = 0;
   std::uint64_t last_ns_ = 0;
 };

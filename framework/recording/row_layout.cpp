@@ -143,7 +143,7 @@ void add_signals(const std::string& name, const Signature& signature, std::size_
                  std::vector<RowSignal>& signals) {
   const TypeInfo& type = *signature.type;
   if (type.fields.empty()) {
-    signals.push_back({name, type.scalar, signature.units.front(), offset});
+    signals.push_back({name, type.scalar, signature.units.front(), offset, 0});
     return;
   }
   for (std::size_t i = 0; i < field_count(type, signature.axes); ++i) {
@@ -172,22 +172,10 @@ void keep_groups_together(std::vector<RowPort>& ports) {
 
 }  // namespace
 
-RowLayout::RowLayout(const WiredGraph& graph, const Selection& wanted) {
-  for (const ScheduleItem& item : graph.schedule()) components_.push_back(item.component->name());
-  for (const ScheduleItem& item : graph.schedule()) {
-    const bool device = dynamic_cast<const Device*>(item.component) != nullptr;
-    for (const OutputPort* output : item.component->outputs()) {
-      RowPort port{item.component->name() + "." + output->name(),
-                   *output->signature(),
-                   output->doc(),
-                   output->labels(),
-                   graph.offset_of(*output),
-                   0,
-                   recorded_size(*output->signature())};
-      if (wanted && !device && !wanted(port.name)) continue;
-      ports_.push_back(std::move(port));
-    }
-  }
+RowLayout::RowLayout(const RateGroup& group, const Selection& wanted)
+    : name_(group.name()), period_ns_(group.period_ns()) {
+  for (const ScheduleItem& item : group.schedule()) components_.push_back(item.component->name());
+  add_ports(group, wanted);
   keep_groups_together(ports_);
   size_ = sizeof(RowHeader) + 8 * components_.size();
   for (RowPort& port : ports_) {
@@ -196,6 +184,45 @@ RowLayout::RowLayout(const WiredGraph& graph, const Selection& wanted) {
     size_ = port.row_offset + port.size;
     add_segment(port);
   }
+}
+
+/// What a device reports, and what is read from other threads, is recorded whatever is wanted:
+/// nothing else is needed to compute the rest again.
+void RowLayout::add_ports(const RateGroup& group, const Selection& wanted) {
+  for (const ScheduleItem& item : group.schedule()) {
+    const bool device = dynamic_cast<const Device*>(item.component) != nullptr;
+    for (const OutputPort* output : item.component->outputs()) {
+      RowPort port{item.component->name() + "." + output->name(),
+                   *output->signature(),
+                   output->doc(),
+                   output->labels(),
+                   group.offset_of(*output),
+                   0,
+                   recorded_size(*output->signature())};
+      if (wanted && !device && !wanted(port.name)) continue;
+      ports_.push_back(std::move(port));
+    }
+  }
+  for (const Arrival& arrival : group.arrivals()) {
+    const std::string name = arrival.input->owner_name() + "." + arrival.input->name();
+    ports_.push_back({name, arrival.signature, "as read: " + arrival.crossing->text(),
+                      arrival.input->labels(), group.offset_of(arrival.value), 0,
+                      recorded_size(arrival.signature)});
+    const auto add = [&](const char* suffix, const TypeInfo& type, const void* value,
+                         const char* doc) {
+      const Signature signature{&type, 0, {parse_unit("")}, ""};
+      ports_.push_back(
+          {name + suffix, signature, doc, {}, group.offset_of(value), 0, recorded_size(signature)});
+    };
+    add("_tick", type_info<std::int64_t>(), arrival.tick, "of the thread that it comes from");
+    add("_valid", type_info<bool>(), arrival.valid, "it arrived, is not stale, and is sound");
+  }
+}
+
+std::vector<RowLayout> layouts_of(const WiredGraph& graph, const RowLayout::Selection& wanted) {
+  std::vector<RowLayout> layouts;
+  for (const RateGroup& group : graph.groups()) layouts.emplace_back(group, wanted);
+  return layouts;
 }
 
 void RowLayout::add_segment(const RowPort& port) {

@@ -38,17 +38,22 @@ struct RowSignal {
   Scalar scalar = Scalar::real;
   Unit unit;
   std::size_t row_offset = 0;
+  std::size_t group = 0;  // of which thread's rows
 };
 
-/// Where each value stands in a row: header, the components' times, the ports in the order of the
-/// schedule with a group's together, each aligned to its own size, which is how CDR lays out the
-/// nested messages of the schema.
+/// Where each value stands in a row of one thread: header, the components' times, the ports in the
+/// order of the schedule with a group's together and what is read from other threads with the
+/// component that reads it, each aligned to its own size, which is how CDR lays out the nested
+/// messages of the schema.
 class RowLayout {
  public:
   using Selection = std::function<bool(const std::string& port_name)>;
 
   /// @param wanted which ports to take; a device's are always taken
-  explicit RowLayout(const WiredGraph& graph, const Selection& wanted = {});
+  explicit RowLayout(const RateGroup& group, const Selection& wanted = {});
+
+  const std::string& name() const { return name_; }  // of the thread
+  std::int64_t period_ns() const { return period_ns_; }
 
   std::size_t size() const { return size_; }
   const std::vector<RowPort>& ports() const { return ports_; }
@@ -66,13 +71,19 @@ class RowLayout {
   struct Segment {  // ports that lie together in both are copied at once
     std::size_t memory_offset, row_offset, size;
   };
+  void add_ports(const RateGroup& group, const Selection& wanted);
   void add_segment(const RowPort& port);
 
+  std::string name_;
+  std::int64_t period_ns_;
   std::vector<std::string> components_;  // in the order of the schedule
   std::vector<RowPort> ports_;
   std::vector<Segment> segments_;
   std::size_t size_ = 0;
   bool has_gaps_ = false;  // for alignment
 };
+
+/// One for each thread.
+std::vector<RowLayout> layouts_of(const WiredGraph& graph, const RowLayout::Selection& wanted = {});
 
 }  // namespace trocar

@@ -18,22 +18,25 @@ namespace {
 
 }  // namespace
 
-RowStore::RowStore() : file_(std::tmpfile(), &std::fclose) {
-  if (!file_) fail("no temporary file");
+void RowStore::begin(const std::vector<RowLayout>& layouts, const WiredGraph&) {
+  for (const RowLayout& layout : layouts) {
+    for (RowSignal& signal : layout.signals()) {
+      signal.group = groups_.size();
+      signals_.push_back(std::move(signal));
+    }
+    groups_.push_back({File(std::tmpfile(), &std::fclose), layout.size(), 0});
+    if (!groups_.back().file) fail("no temporary file");
+  }
 }
 
-void RowStore::begin(const RowLayout& layout, const WiredGraph&) {
-  row_size_ = layout.size();
-  signals_ = layout.signals();
-}
-
-void RowStore::row(std::span<const std::byte> row) {
-  if (std::fwrite(row.data(), row.size(), 1, file_.get()) != 1) fail("cannot write");
-  ++rows_;
+void RowStore::row(std::size_t group, std::span<const std::byte> row) {
+  if (std::fwrite(row.data(), row.size(), 1, groups_[group].file.get()) != 1) fail("cannot write");
+  ++groups_[group].rows;
 }
 
 void RowStore::end() {
-  if (std::fflush(file_.get()) != 0) fail("cannot write");
+  for (const Group& group : groups_)
+    if (std::fflush(group.file.get()) != 0) fail("cannot write");
 }
 
 const RowSignal* RowStore::find(std::string_view name) const {
@@ -43,23 +46,25 @@ const RowSignal* RowStore::find(std::string_view name) const {
 }
 
 template <typename Take>
-void RowStore::for_each_row(const Take& take) const {
+void RowStore::for_each_row(std::size_t index, const Take& take) const {
+  const Group& group = groups_[index];
   constexpr std::size_t rows_at_once = 512;
-  std::vector<std::byte> block(rows_at_once * row_size_);
-  std::rewind(file_.get());
-  for (std::size_t done = 0; done < rows_;) {
-    const std::size_t count = std::min(rows_at_once, rows_ - done);
-    if (std::fread(block.data(), row_size_, count, file_.get()) != count) fail("cannot read");
+  std::vector<std::byte> block(rows_at_once * group.row_size);
+  std::rewind(group.file.get());
+  for (std::size_t done = 0; done < group.rows;) {
+    const std::size_t count = std::min(rows_at_once, group.rows - done);
+    if (std::fread(block.data(), group.row_size, count, group.file.get()) != count)
+      fail("cannot read");
     for (std::size_t i = 0; i < count; ++i)
-      take(std::span<const std::byte>(block).subspan(i * row_size_, row_size_));
+      take(std::span<const std::byte>(block).subspan(i * group.row_size, group.row_size));
     done += count;
   }
 }
 
 std::vector<double> RowStore::column(const RowSignal& signal) const {
   std::vector<double> values;
-  values.reserve(rows_);
-  for_each_row([&](std::span<const std::byte> row) {
+  values.reserve(groups_[signal.group].rows);
+  for_each_row(signal.group, [&](std::span<const std::byte> row) {
     if (signal.scalar == Scalar::real) {
       values.push_back(number_at(row, signal.row_offset));
     } else if (signal.scalar == Scalar::integer) {
@@ -73,10 +78,10 @@ std::vector<double> RowStore::column(const RowSignal& signal) const {
   return values;
 }
 
-std::vector<double> RowStore::time() const {
+std::vector<double> RowStore::time(std::size_t group) const {
   std::vector<double> values;
-  values.reserve(rows_);
-  for_each_row([&](std::span<const std::byte> row) {
+  values.reserve(groups_[group].rows);
+  for_each_row(group, [&](std::span<const std::byte> row) {
     values.push_back(static_cast<double>(header_of(row).time) * 1e-9);
   });
   return values;

@@ -10,30 +10,33 @@
 
 namespace trocar {
 
-/// All rows of a run, for an experiment to compute with. They lie in a temporary file without a
-/// name, so that a long run does not fill the memory and nothing is left behind.
+/// All rows of a run, for an experiment to compute with. Those of each thread lie in a temporary
+/// file without a name, so that a long run does not fill the memory and nothing is left behind.
 class RowStore final : public RowSink {
  public:
-  RowStore();
-  void begin(const RowLayout& layout, const WiredGraph& graph) override;
-  void row(std::span<const std::byte> row) override;
+  void begin(const std::vector<RowLayout>& layouts, const WiredGraph& graph) override;
+  void row(std::size_t group, std::span<const std::byte> row) override;
   void end() override;
 
-  std::size_t rows() const { return rows_; }
+  std::size_t rows(std::size_t group = 0) const { return groups_[group].rows; }
   const std::vector<RowSignal>& signals() const { return signals_; }
   const RowSignal* find(std::string_view name) const;
-  /// One number of every row; integers and bools as doubles.
+  /// One number of every row of its thread; integers and bools as doubles.
   std::vector<double> column(const RowSignal& signal) const;
-  /// [s] of every row.
-  std::vector<double> time() const;
+  /// [s] of every row of a thread.
+  std::vector<double> time(std::size_t group = 0) const;
 
  private:
+  using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+  struct Group {  // a thread's rows
+    File file;
+    std::size_t row_size = 0;
+    std::size_t rows = 0;
+  };
   template <typename Take>
-  void for_each_row(const Take& take) const;
+  void for_each_row(std::size_t group, const Take& take) const;
 
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  std::size_t row_size_ = 0;
-  std::size_t rows_ = 0;
+  std::vector<Group> groups_;
   std::vector<RowSignal> signals_;
 };
 

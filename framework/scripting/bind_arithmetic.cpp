@@ -6,14 +6,40 @@
 namespace trocar::lua {
 namespace {
 
+/// What an operator makes belongs to the thread of an operand that comes from no other thread.
+std::optional<ThreadId> thread_of_operands(lua_State* state) {
+  const Graph& graph = context(state).graph();
+  bool any_output = false;
+  for (const int operand : {1, 2}) {
+    const auto* output = get<OutputRef>(state, operand);
+    if (output != nullptr && !output->connection) return graph.node(output->node).thread;
+    any_output = any_output || output != nullptr;
+  }
+  return any_output ? std::nullopt : std::optional(graph.current_thread());
+}
+
 /// Adds a nameless generic component; names are given by `:as`, else "sum", "sum_2", ….
 std::optional<NodeId> add_operator(lua_State* state, const std::string& type,
                                    const std::string& stem) {
   ScriptContext& script = context(state);
+  const auto thread = thread_of_operands(state);
+  if (!thread) {
+    script.graph().finding(
+        where(state), fmt::format("in which thread is this {} to be? Say it by its component, e.g. "
+                                  "servo.{} {{ … }}",
+                                  stem, type));
+    return std::nullopt;
+  }
+  const ThreadScope scope(script.graph(), *thread);
   const auto node =
       script.graph().add(type, script.unused_name(stem), where(state), script.scope());
   if (node) script.nameless.insert(*node);
   return node;
+}
+
+int push_nothing(lua_State* state, const char* what) {
+  push(state, Placeholder{what});
+  return 1;
 }
 
 /// Wires operand `index` to the input: an output, or a value by way of a constant.
@@ -34,7 +60,7 @@ int combine(lua_State* state, const std::string& second_input) {
     return 1;
   }
   const auto node = add_operator(state, "Sum", "sum");
-  if (!node) return push_placeholder(state, "sum", "a sum cannot be made here");
+  if (!node) return push_nothing(state, "sum");
   wire_operand(state, 1, *node, "terms");
   wire_operand(state, 2, *node, second_input);
   push(state, OutputRef{*node, "value", ""});
@@ -50,7 +76,7 @@ int subtract(lua_State* state) {
 
 int scale_by(lua_State* state, int output, const Literal& factor) {
   const auto node = add_operator(state, "Scale", "scale");
-  if (!node) return push_placeholder(state, "scale", "a product cannot be made here");
+  if (!node) return push_nothing(state, "scale");
   wire_operand(state, output, *node, "input");
   context(state).graph().set({*node, "factor"}, factor, where(state));
   push(state, OutputRef{*node, "value", ""});
@@ -67,7 +93,7 @@ int multiply(lua_State* state) {
   const bool second = get<OutputRef>(state, 2) != nullptr;
   if (first && second) {
     const auto node = add_operator(state, "Product", "product");
-    if (!node) return push_placeholder(state, "product", "a product cannot be made here");
+    if (!node) return push_nothing(state, "product");
     wire_operand(state, 1, *node, "factor");
     wire_operand(state, 2, *node, "input");
     push(state, OutputRef{*node, "value", ""});

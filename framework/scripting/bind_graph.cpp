@@ -87,6 +87,7 @@ void connect_literal(lua_State* state, NodeId node, const std::string& input) {
   Graph& graph = context(state).graph();
   const Where at = where(state);
   const std::string owner = graph.node(node).name;  // its signal is "wall.offset.value"
+  const ThreadScope scope(graph, graph.node(node).thread);
   const auto constant = graph.add("Constant", context(state).unused_name(input, owner), at, owner);
   if (!constant) return;
   graph.set({*constant, "value"}, to_literal(state, -1), at);
@@ -238,6 +239,7 @@ void apply_entry(lua_State* state, NodeId id, const std::string& key) {
   if (key == "name") return;
   // A declared parameter wins: a Step has a time that it calls "at", a Sine an angle "phase".
   const bool declared = graph.node(id).settings().find_parameter(key) != nullptr;
+  if (key == "thread" && !declared) return;  // construct() has seen it
   if (key == "at" && !declared) return place_at(state, id);
   if ((key == "rate" || key == "phase") && !declared) return set_rate(state, id, key);
   const std::size_t dot = key.find('.');
@@ -256,7 +258,7 @@ void apply_entry(lua_State* state, NodeId id, const std::string& key) {
   if (node.component)
     for (const InputPort* port : node.component->inputs()) known.push_back(port->name());
   for (const auto& each : node.exports.inputs) known.push_back(each.first);
-  for (const char* common : {"name", "at", "rate", "phase"}) known.emplace_back(common);
+  for (const char* common : {"name", "at", "rate", "phase", "thread"}) known.emplace_back(common);
   graph.finding(where(state), fmt::format("{} (a {}) has no input or parameter \"{}\"{}", node.name,
                                           type_of(node), key, suggestion(key, known)));
 }
@@ -289,6 +291,7 @@ int construct(lua_State* state, const std::string& type, const std::string& spar
   ScriptContext& script = context(state);
   Graph& graph = script.graph();
   const int table = lua_absindex(state, -1);
+  const ThreadScope scope(graph, thread_given(state, table));
   const auto id =
       graph.add(type, given_name(state, table, spare_name), where(state), script.scope());
   if (!id) {

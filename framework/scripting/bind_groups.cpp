@@ -187,6 +187,7 @@ void check_entries(lua_State* state, NodeId group, int definition, int arguments
   const Graph::Node& node = graph.node(group);
   std::vector<std::string> known = node.settings().parameter_names();
   known.emplace_back("name");
+  known.emplace_back("thread");
   for (std::string& input : declared_names(state, definition, "inputs"))
     known.push_back(std::move(input));
   refuse_odd_keys(state, arguments, node.name);
@@ -230,6 +231,7 @@ int construct_group(lua_State* state) {
   const std::string type = lua_isstring(state, -1) ? lua_tostring(state, -1) : "Group";
   lua_pop(state, 1);
   const std::string name = given_name(state, 1, "");
+  const ThreadScope scope(script.graph(), thread_given(state, 1));
   const auto group = script.graph().add_group(declare_all(state, definition), type, name,
                                               where(state), script.scope());
   if (!group) {

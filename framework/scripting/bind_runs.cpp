@@ -167,28 +167,41 @@ std::string signal_at(lua_State* state, int index) {
                   luaL_tolstring(state, index, nullptr)));
 }
 
-/// The numbers of a signal: one column for a scalar, several for a vector or a pose.
-std::vector<std::vector<double>> columns(const RowStore& rows, const std::string& name) {
-  std::vector<std::vector<double>> result;
+/// The numbers of a signal, in each row of its thread: one column for a scalar, several for a
+/// vector or a pose.
+struct Columns {
+  std::vector<std::vector<double>> all;
+  std::size_t group = 0;  // of which thread
+};
+
+Columns columns(const RowStore& rows, const std::string& name) {
+  Columns result;
   std::vector<std::string> known;
   for (const RowSignal& signal : rows.signals()) {
     known.push_back(signal.name);
-    if (signal.name == name || signal.name.starts_with(name + "."))
-      result.push_back(rows.column(signal));
+    if (signal.name != name && !signal.name.starts_with(name + ".")) continue;
+    result.all.push_back(rows.column(signal));
+    result.group = signal.group;
   }
-  if (result.empty())
+  if (result.all.empty())
     throw std::invalid_argument(
         fmt::format("the run has no signal \"{}\"{}", name,
                     nearest(name, known).empty() ? "" : suggestion(name, known)));
   return result;
 }
 
-std::vector<double> scalar(const RowStore& rows, const std::string& name) {
-  auto all = columns(rows, name);
-  if (all.size() != 1)
+/// A signal that is one number in each row.
+struct Column {
+  std::vector<double> values;
+  std::size_t group = 0;  // of which thread
+};
+
+Column scalar(const RowStore& rows, const std::string& name) {
+  Columns found = columns(rows, name);
+  if (found.all.size() != 1)
     throw std::invalid_argument(fmt::format(
-        "\"{}\" has {} numbers: name one of them, e.g. \"{}.x\"", name, all.size(), name));
-  return std::move(all.front());
+        "\"{}\" has {} numbers: name one of them, e.g. \"{}.x\"", name, found.all.size(), name));
+  return {std::move(found.all.front()), found.group};
 }
 
 double time_field(lua_State* state, const char* name, double fallback) {
@@ -220,24 +233,29 @@ int fit(lua_State* state) {
     lua_getfield(state, 2, name);
     if (lua_isnil(state, -1))
       throw std::invalid_argument(fmt::format("run:fit needs {} = a signal", name));
-    std::vector<double> values = scalar(rows, signal_at(state, -1));
+    Column column = scalar(rows, signal_at(state, -1));
     lua_pop(state, 1);
-    return values;
+    return column;
   };
-  const std::vector<double> x = field("x");
-  const std::vector<double> y = field("y");
+  const Column x = field("x");
+  const Column y = field("y");
   lua_getfield(state, 2, "where");
-  const std::vector<double> chosen = lua_isnil(state, -1) ? std::vector<double>(x.size(), 1.0)
-                                                          : scalar(rows, signal_at(state, -1));
+  const Column chosen = lua_isnil(state, -1)
+                            ? Column{std::vector<double>(x.values.size(), 1.0), x.group}
+                            : scalar(rows, signal_at(state, -1));
   lua_pop(state, 1);
-  const std::vector<double> time = rows.time();
+  if (y.group != x.group || chosen.group != x.group)
+    throw std::invalid_argument(
+        "run:fit: the signals are of different threads, which have rows of their own; fit what one "
+        "of them reads");
+  const std::vector<double> time = rows.time(x.group);
   const double from = time_field(state, "from", -infinity);
   const double to = time_field(state, "to", infinity);
   std::vector<double> px, py;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (chosen[i] == 0.0 || time[i] < from || time[i] > to) continue;
-    px.push_back(x[i]);
-    py.push_back(y[i]);
+  for (std::size_t i = 0; i < x.values.size(); ++i) {
+    if (chosen.values[i] == 0.0 || time[i] < from || time[i] > to) continue;
+    px.push_back(x.values[i]);
+    py.push_back(y.values[i]);
   }
   const LineFit line = fit_line(px, py);
   push_fields(state, {{"slope", line.slope},
@@ -252,7 +270,7 @@ int fit(lua_State* state) {
 /// run:drift(signal): the farthest that it gets from where it starts.
 int drift(lua_State* state) {
   const RowStore& rows = rows_of(state);
-  const auto all = columns(rows, signal_at(state, 2));
+  const auto all = columns(rows, signal_at(state, 2)).all;
   if (all.front().empty()) throw std::invalid_argument("the run has no rows");
   double farthest = 0.0;
   for (std::size_t row = 0; row < all.front().size(); ++row) {
@@ -270,7 +288,7 @@ int drift(lua_State* state) {
 template <double SignalSummary::*Field>
 int summary(lua_State* state) {
   const RowStore& rows = rows_of(state);  // first: it says what a dot instead of a colon is
-  const std::vector<double> values = scalar(rows, signal_at(state, 2));
+  const std::vector<double> values = scalar(rows, signal_at(state, 2)).values;
   lua_pushnumber(state, summarise(values).*Field);
   return 1;
 }
@@ -278,12 +296,12 @@ int summary(lua_State* state) {
 /// run:at(signal, "1.5 s"): its value in the last row that is not later.
 int value_at(lua_State* state) {
   const RowStore& rows = rows_of(state);
-  const std::vector<double> values = scalar(rows, signal_at(state, 2));
+  const Column signal = scalar(rows, signal_at(state, 2));
   const double when = quantity(to_literal(state, 3), "s", "run:at");
-  const std::vector<double> time = rows.time();
+  const std::vector<double> time = rows.time(signal.group);
   const auto after = std::upper_bound(time.begin(), time.end(), when + 1e-12);
   if (after == time.begin()) throw std::invalid_argument("the run has no row so early");
-  lua_pushnumber(state, values[static_cast<std::size_t>(after - time.begin()) - 1]);
+  lua_pushnumber(state, signal.values[static_cast<std::size_t>(after - time.begin()) - 1]);
   return 1;
 }
 
@@ -296,9 +314,9 @@ int result_index(lua_State* state) {
   if (name == "duration") {
     lua_pushnumber(state, result.duration);
   } else if (name == "ticks") {
-    lua_pushinteger(state, result.loop.ticks);
+    lua_pushinteger(state, result.main().loop.ticks);
   } else if (name == "rate") {
-    lua_pushnumber(state, result.rate);
+    lua_pushnumber(state, result.main().rate);
   } else if (name == "faults") {
     lua_newtable(state);
     for (std::size_t i = 0; i < result.faults.size(); ++i) {

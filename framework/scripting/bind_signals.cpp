@@ -52,6 +52,12 @@ int output_delay(lua_State* state) {
   if (!lua_istable(state, 2))
     throw std::invalid_argument("delay needs a table, e.g. :delay { initial = \"0 mm\" }");
   lua_settop(state, 2);
+  if (output.connection)
+    return push_placeholder(
+        state, "delay",
+        fmt::format("{}: delay it first, and let {} come last", signal_name(graph, output),
+                    to_string(output.connection->kind)));
+  const ThreadScope scope(graph, graph.node(output.node).thread);
   const std::string spare = context(state).unused_name("delay");
   construct(state, "Delay", spare);
   if (const auto* delay = get<NodeRef>(state, -1)) {
@@ -123,6 +129,8 @@ int to_string(lua_State* state) {
     text = "the site " + site->name;
   else if (const auto* ports = get<PortGroupRef>(state, 1))
     text = fmt::format("the outputs {}.{}*", graph.node(ports->node).name, ports->prefix);
+  else if (const auto* thread = get<ThreadRef>(state, 1))
+    text = "the thread " + graph.threads()[thread->thread].name;
   else if (const auto* placeholder = get<Placeholder>(state, 1))
     text = placeholder->what + " (which does not exist)";
   lua_pushstring(state, text.c_str());
@@ -156,22 +164,12 @@ int index_placeholder(lua_State* state) {
 int no_field(lua_State* state) {
   const std::string owner = luaL_tolstring(state, 1, nullptr);
   const std::string name = luaL_tolstring(state, 2, nullptr);
-  const bool method = name == "to" || name == "as" || name == "delay";
+  const bool method =
+      name == "to" || name == "as" || name == "delay" || name == "latest" || name == "queue";
   return push_placeholder(
       state, name,
       fmt::format("{} has no \"{}\"{}", owner, name,
                   method ? fmt::format(": an output has, e.g. wall.force:{}(…)", name) : ""));
-}
-
-/// What every kind of reference has, beside what is its own.
-template <typename T>
-void complete_metatable(lua_State* state) {
-  const luaL_Reg common[] = {{"__newindex", guarded<refuse_assignment>},
-                             {"__tostring", guarded<to_string>},
-                             {nullptr, nullptr}};
-  luaL_getmetatable(state, Meta<T>::name);
-  luaL_setfuncs(state, common, 0);
-  lua_pop(state, 1);
 }
 
 /// A placeholder passes through everything that is done to it, and ends every loop over it.
@@ -218,13 +216,21 @@ std::string signal_name(const Graph& graph, const OutputRef& output) {
   return name;
 }
 
+void complete_metatable(lua_State* state, const char* metatable) {
+  const luaL_Reg common[] = {{"__newindex", guarded<refuse_assignment>},
+                             {"__tostring", guarded<to_string>},
+                             {nullptr, nullptr}};
+  luaL_getmetatable(state, metatable);
+  luaL_setfuncs(state, common, 0);
+  lua_pop(state, 1);
+}
+
 void open_signals(lua_State* state) {
   const luaL_Reg output[] = {{"__index", guarded<output_index>}, {nullptr, nullptr}};
   make_metatable<OutputRef>(state, output);
-  const luaL_Reg methods[] = {{"to", guarded<output_to>},
-                              {"as", guarded<output_as>},
-                              {"delay", guarded<output_delay>},
-                              {nullptr, nullptr}};
+  const luaL_Reg methods[] = {{"to", guarded<output_to>},       {"as", guarded<output_as>},
+                              {"delay", guarded<output_delay>}, {"latest", guarded<output_latest>},
+                              {"queue", guarded<output_queue>}, {nullptr, nullptr}};
   luaL_getmetatable(state, Meta<OutputRef>::name);
   luaL_newlib(state, methods);
   lua_setfield(state, -2, "__methods");
@@ -234,12 +240,12 @@ void open_signals(lua_State* state) {
   make_metatable<ParameterRef>(state, plain);
   const luaL_Reg site[] = {{"__index", guarded<site_index>}, {nullptr, nullptr}};
   make_metatable<SiteRef>(state, site);
-  complete_metatable<NodeRef>(state);
-  complete_metatable<PortGroupRef>(state);
-  complete_metatable<OutputRef>(state);
-  complete_metatable<InputRef>(state);
-  complete_metatable<ParameterRef>(state);
-  complete_metatable<SiteRef>(state);
+  complete_metatable(state, Meta<NodeRef>::name);
+  complete_metatable(state, Meta<PortGroupRef>::name);
+  complete_metatable(state, Meta<OutputRef>::name);
+  complete_metatable(state, Meta<InputRef>::name);
+  complete_metatable(state, Meta<ParameterRef>::name);
+  complete_metatable(state, Meta<SiteRef>::name);
   open_placeholder(state);
 }
 

@@ -198,6 +198,7 @@ int open_world(lua_State* state) {
   lua_newtable(state);
   open_graph(state);
   open_arithmetic(state);
+  open_threads(state);
   open_groups(state);
   open_runs(state);
   open_arguments(state);

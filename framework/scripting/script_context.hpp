@@ -26,6 +26,10 @@ struct PortGroupRef {
   NodeId node = 0;
   std::string prefix;  // "truth."
 };
+/// What trocar.thread returned.
+struct ThreadRef {
+  ThreadId thread = 0;
+};
 /// Stands for something that does not exist, so that the script goes on and every mistake is
 /// found; the finding was made where it arose.
 struct Placeholder {
@@ -60,6 +64,10 @@ struct Meta<PortGroupRef> {
   static constexpr const char* name = "trocar.ports";
 };
 template <>
+struct Meta<ThreadRef> {
+  static constexpr const char* name = "trocar.thread";
+};
+template <>
 struct Meta<Placeholder> {
   static constexpr const char* name = "trocar.placeholder";
 };
@@ -72,13 +80,14 @@ struct Meta<RunRef> {
 struct ScriptContext {
   Session& session;
   Graph::Overrides arguments;
-  std::filesystem::path folder;       // of the script
-  std::vector<std::string> scopes{};  // names of the groups that are being built
-  bool ran = false;                   // the script called trocar.run
-  bool stopped = false;               // the operator ended a run, and the script with it
-  std::optional<Findings> broken{};   // why a run did not begin
-  std::set<NodeId> nameless{};        // what operators made, until :as names it
-  std::vector<std::string> asked{};   // entries of trocar.args that the script wanted
+  std::filesystem::path folder;           // of the script
+  std::vector<std::string> scopes{};      // names of the groups that are being built
+  bool ran = false;                       // the script called trocar.run
+  bool stopped = false;                   // the operator ended a run, and the script with it
+  std::optional<Findings> broken{};       // why a run did not begin
+  std::set<NodeId> nameless{};            // what operators made, until :as names it
+  std::set<ThreadId> nameless_threads{};  // until a variable names them
+  std::vector<std::string> asked{};       // entries of trocar.args that the script wanted
 
   Graph& graph() { return session.graph(); }
   std::string scope() const { return scopes.empty() ? std::string() : scopes.back(); }
@@ -99,6 +108,7 @@ std::string signal_name(const Graph& graph, const OutputRef& output);
 void open_graph(lua_State* state);       // components
 void open_signals(lua_State* state);     // outputs, inputs, sites, parameters: of open_graph
 void open_arithmetic(lua_State* state);  // + - * on outputs: after open_graph
+void open_threads(lua_State* state);     // threads, latest, queue: after open_graph
 void open_groups(lua_State* state);
 void open_runs(lua_State* state);
 /// require() takes what is preloaded, and files beside the script; no C modules.
@@ -114,6 +124,13 @@ int construct(lua_State* state, const std::string& type, const std::string& spar
 std::string given_name(lua_State* state, int table, const std::string& spare);
 /// A finding for each entry whose key is no text.
 void refuse_odd_keys(lua_State* state, int table, const std::string& owner);
+/// The thread that the table at index `table` names, or the present one.
+ThreadId thread_given(lua_State* state, int table);
+// Methods of outputs, for a connection to another thread.
+int output_latest(lua_State* state);
+int output_queue(lua_State* state);
+/// Adds to a reference's metatable what all have: a text, and the refusal of assignments.
+void complete_metatable(lua_State* state, const char* metatable);
 /// Applies one entry of a constructor's table: key, and the value at the top of the stack.
 void apply_entry(lua_State* state, NodeId node, const std::string& key);
 

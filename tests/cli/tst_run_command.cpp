@@ -57,6 +57,21 @@ class TestRunCommand : public QObject {
     row("a negative duration", "", {"--for=-1s"}, 2, "\"-1s\" is no duration");
     row("a duration that is none", "", {"--for", "long"}, 2, "\"long\" is no duration");
     row("an unknown clock", "", {"--clock", "wall"}, 2, "--clock");
+    row("a guard spin as long as the period", "", {"--clock", "realtime", "--spin", "1ms"}, 2,
+        "--spin: a guard spin of 1000 µs at a period of 1000 µs: 0 (off) or more, and shorter");
+    row("a negative guard spin", "", {"--spin=-1us"}, 2, "--spin: \"-1us\" is negative: 0 (off)");
+    row("a guard spin that is no time", "", {"--spin", "3mm"}, 2, "\"3mm\" is no time, e.g. 100us");
+    row("in virtual time there is nothing to spin for", "", {"--for", "10ms", "--spin", "1ms"}, 0,
+        "ran 10 ticks");
+    row("an unknown policy of overload", "", {"--overload", "panic"}, 2, "--overload");
+    row("a grace that is no time", "", {"--overload-grace", "5"}, 2,
+        "\"5\" is no time, e.g. 500ms");
+    row("a negative length", "", {"--overload-longest=-1ms"}, 2,
+        "--overload-longest: \"-1ms\": overload.longest = -0.001: 0 s to 3600 s");
+    row("half an overrun", "", {"--overload-allowed", "1.5"}, 2,
+        "\"1.5\" is no whole number from 0 to 10000");
+    row("too many overruns", "", {"--overload-allowed", "20000"}, 2,
+        "--overload-allowed: \"20000\": overload.allowed = 20000: 0 to 10000");
     row("a seed", "", {"--for", "10ms", "--seed", "7"}, 0, "ran 10 ticks");
     row("a negative seed", "", {"--seed=-1"}, 2, "\"-1\" is no whole number");
     row("a seed that is too large", "", {"--seed", "99999999999999999999"}, 2,
@@ -195,6 +210,28 @@ class TestRunCommand : public QObject {
     QCOMPARE(run["ticks"].get<int>() + run["skipped"].get<int>(), 500);
     QCOMPARE(run["lateness"]["count"].get<int>(), run["ticks"].get<int>());
     QVERIFY(run["lateness"]["max"].get<double>() > 0.0);
+  }
+
+  void a_realtime_run_tells_what_its_punctuality_costs() {
+    const QString path = folder_.filePath("spin.json");
+    const Ran ran = run_trocar(
+        {"run", demo, "--for", "0.3s", "--spin", "50us", "--hold-latency", "--json", path});
+    QVERIFY2(ran.out.contains("  guard spin 50 µs: "), ran.out);
+    QVERIFY2(ran.out.contains("/dev/cpu_dma_latency"), ran.out);  // held, or why not
+    const json run = json::parse(content(path).toStdString())["runs"][0];
+    QCOMPARE(run["spin"].get<double>(), 5e-5);
+    QVERIFY(run["spun"].get<double>() > 0.0);
+    QVERIFY(run["latency_held"].is_boolean() && run["overruns"].is_number());
+  }
+
+  // Thirty plants at 10 kHz: no processor keeps up with that.
+  void an_overload_ends_the_run_with_its_report() {
+    const QString text = script(
+        "for i = 1, 30 do trocar.Laparoscope { name = 'l' .. i, hand = 'none' } end\n"
+        "trocar.run { rate = '10 kHz', duration = '5 s' }");
+    const Ran ran = run_trocar({"run", text, "--overload", "end"});
+    QCOMPARE(ran.status, 1);
+    QVERIFY2(ran.out.contains("FAULT, first cause: overload in main at tick "), ran.out);
   }
 
   void check_finds_every_mistake() {

@@ -17,9 +17,9 @@ class TestRun : public QObject {
   void a_run_takes_its_slots_and_keeps_its_rows() {
     RunRig rig;
     const RunResult result = rig.run(0.05);
-    QCOMPARE(result.loop.ticks, std::int64_t{50});
+    QCOMPARE(result.main().loop.ticks, std::int64_t{50});
     QCOMPARE(result.duration, 0.05);
-    QCOMPARE(result.rate, 1000.0);
+    QCOMPARE(result.main().rate, 1000.0);
     QCOMPARE(result.rows->rows(), std::size_t{50});
     QCOMPARE(result.rows->time().back(), 0.049);
     const auto column = [&](const char* name) {
@@ -131,7 +131,7 @@ class TestRun : public QObject {
       QCOMPARE(sink->ends, 1);
     }
     QVERIFY(broken.rows <= 1 || throws == TestSink::Throws::in_end);
-    QCOMPARE(result.loop.rows_lost, std::int64_t{0});
+    QCOMPARE(result.main().loop.rows_lost, std::int64_t{0});
   }
 
   void a_fault_is_told_with_its_texts() {
@@ -144,6 +144,31 @@ class TestRun : public QObject {
              std::string("not finite in meter at tick 20 (0.020 s): an output"));
     QVERIFY(sink.kinds ==
             (std::vector{Event::Kind::started, Event::Kind::fault, Event::Kind::ended}));
+  }
+
+  void timing_out_of_range_is_refused_in_real_time_data() {
+    QTest::addColumn<double>("spin");
+    QTest::addColumn<int>("allowed");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("a spin of the period") << 1e-3 << 20 << "a guard spin of 1000 µs";
+    QTest::newRow("a spin below 0") << -1e-6 << 20 << "a guard spin of -1 µs";
+    QTest::newRow("no number") << std::nan("") << 20 << "a guard spin of";
+    QTest::newRow("beyond all numbers") << 1e300 << 20 << "shorter than the period";
+    QTest::newRow("a count below 0") << 0.0 << -1 << "overload.allowed = -1";
+  }
+  void timing_out_of_range_is_refused_in_real_time() {
+    QFETCH(double, spin);
+    QFETCH(int, allowed);
+    QFETCH(QString, says);
+    RunRig rig;
+    RunOptions options{.timing = {.spin = spin, .overload = {.allowed = allowed}}};
+    options.duration = 0.01;
+    try {
+      run(rig.graph, options);
+      QFAIL("it ran");
+    } catch (const std::invalid_argument& error) {
+      QVERIFY2(QString(error.what()).contains(says), error.what());
+    }
   }
 
   void a_run_that_is_stopped_says_so() {

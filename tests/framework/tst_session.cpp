@@ -56,11 +56,11 @@ class TestSession : public QObject {
  private Q_SLOTS:
   void the_duration_is_the_options_then_the_scripts_then_the_default() {
     SessionRig by_option({.duration = 0.02});
-    QCOMPARE(by_option.session.run(test::wanted(0.5)).result.loop.ticks, std::int64_t{20});
+    QCOMPARE(by_option.session.run(test::wanted(0.5)).result.main().loop.ticks, std::int64_t{20});
     SessionRig by_script({});
-    QCOMPARE(by_script.session.run(test::wanted(0.5)).result.loop.ticks, std::int64_t{500});
+    QCOMPARE(by_script.session.run(test::wanted(0.5)).result.main().loop.ticks, std::int64_t{500});
     SessionRig by_nobody({.default_duration = 0.3});
-    QCOMPARE(by_nobody.session.run(test::wanted()).result.loop.ticks, std::int64_t{300});
+    QCOMPARE(by_nobody.session.run(test::wanted()).result.main().loop.ticks, std::int64_t{300});
   }
 
   void in_real_time_there_is_no_default_duration() {
@@ -71,7 +71,7 @@ class TestSession : public QObject {
     const RunResult& result = session.run(test::wanted()).result;
     QVERIFY(result.interrupted);
     QCOMPARE(result.clock, ClockKind::realtime);
-    QCOMPARE(result.loop.ticks, std::int64_t{0});
+    QCOMPARE(result.main().loop.ticks, std::int64_t{0});
   }
 
   void what_is_set_from_outside_wins_over_the_script_and_over_a_run() {

@@ -37,7 +37,7 @@ struct Rig {
   QString order() const {
     QStringList names;
     const auto wired = trocar::wire(graph, options);
-    for (const ScheduleItem& item : wired->schedule())
+    for (const ScheduleItem& item : wired->main().schedule())
       names += QString::fromStdString(item.component->name());
     return names.join(" ");
   }
@@ -278,7 +278,7 @@ class TestWiring : public QObject {
     rig.wire(number, "value", effort, "offset");
     rig.wire(number, "value", hold, "offset");
     const auto wired = trocar::wire(rig.graph, rig.options);
-    for (const ScheduleItem& item : wired->schedule()) {
+    for (const ScheduleItem& item : wired->main().schedule()) {
       const std::string& name = item.component->name();
       QCOMPARE(item.reaches_effort, name == "rendering" || name == "number" ? 1u : 0u);
       QCOMPARE(item.reaches_hold, name == "gravity" || name == "number" ? 1u : 0u);
@@ -396,13 +396,13 @@ class TestWiring : public QObject {
     rig.wire(number, "value", follower, "input");
     rig.graph.set_rate(follower, 250.0, 3, rig.here());
     const auto wired = trocar::wire(rig.graph, rig.options);
-    QCOMPARE(wired->numbers().size(), std::size_t{2});
-    QCOMPARE(wired->schedule()[1].divider, std::int64_t{4});
-    QCOMPARE(wired->schedule()[1].phase, std::int64_t{3});
+    QCOMPARE(wired->main().numbers().size(), std::size_t{2});
+    QCOMPARE(wired->main().schedule()[1].divider, std::int64_t{4});
+    QCOMPARE(wired->main().schedule()[1].phase, std::int64_t{3});
     wired->component(number)->step({.time = 2.0});
     wired->component(follower)->step({});
-    QCOMPARE(wired->numbers()[1], 2e-3);
-    QCOMPARE(wired->offset_of(*wired->component(follower)->outputs()[0]), sizeof(double));
+    QCOMPARE(wired->main().numbers()[1], 2e-3);
+    QCOMPARE(wired->main().offset_of(*wired->component(follower)->outputs()[0]), sizeof(double));
   }
 
   void a_long_chain_of_generic_components_is_resolved_from_either_end() {
@@ -429,7 +429,7 @@ class TestWiring : public QObject {
       rig.wire(before, "value", next, "input");
       before = next;
     }
-    QCOMPARE(trocar::wire(rig.graph, rig.options)->schedule().size(), std::size_t{10001});
+    QCOMPARE(trocar::wire(rig.graph, rig.options)->main().schedule().size(), std::size_t{10001});
   }
 };
 

@@ -101,13 +101,13 @@ class ExecutorRig {
   }
   void wire(double rate = 1000.0) {
     wired = trocar::wire(graph, {.rate = rate});
-    layout = std::make_unique<RowLayout>(*wired);
+    layout = std::make_unique<RowLayout>(wired->main());
   }
   void start(ExecutorOptions options = {}) {
     options.records = &ring;
     options.layout = layout.get();
     options.commands = &commands;
-    executor = std::make_unique<Executor>(*wired, std::move(options));
+    executor = std::make_unique<Executor>(wired->main(), std::move(options));
     executor->start();
     drain();
   }
@@ -150,14 +150,13 @@ class ExecutorRig {
     return all;
   }
   void drain() {
-    for (auto record = ring.front(); !record.bytes.empty(); record = ring.front()) {
-      if (record.kind == static_cast<std::uint32_t>(RecordKind::row)) {
-        rows.emplace_back(record.bytes.begin(), record.bytes.end());
+    while (const auto record = cursor.next()) {
+      if (record->tag == static_cast<std::uint32_t>(RecordKind::row)) {
+        rows.emplace_back(record->bytes.begin(), record->bytes.end());
       } else {
         events.emplace_back();
-        std::memcpy(&events.back(), record.bytes.data(), sizeof(Event));
+        std::memcpy(&events.back(), record->bytes.data(), sizeof(Event));
       }
-      ring.pop();
     }
   }
   double in_row(std::size_t row, std::string_view signal) const {
@@ -170,7 +169,9 @@ class ExecutorRig {
   Graph graph{types};
   std::unique_ptr<WiredGraph> wired;
   std::unique_ptr<RowLayout> layout;
-  RecordRing ring{std::size_t{1} << 20};
+  BroadcastRing ring{std::size_t{1} << 20, std::size_t{1} << 16};
+  BroadcastRing::Cursor cursor{ring, BroadcastRing::Cursor::Start::now,
+                               BroadcastRing::Cursor::Loss::never};
   CommandQueue commands;
   std::unique_ptr<Executor> executor;
   std::vector<Event> events;

@@ -74,13 +74,13 @@ class GraphBench {
     } catch (const BrokenGraph& broken) {
       return broken.what();
     }
-    for (const ScheduleItem& item : wired->schedule()) item.component->start();
+    for (const ScheduleItem& item : wired->main().schedule()) item.component->start();
     return "";
   }
   void tick(std::int64_t ticks = 1) {
     for (std::int64_t i = 0; i < ticks; ++i, ++now_) {
       const Tick tick{now_, now_ * 1'000'000, static_cast<double>(now_) * 1e-3, 1e-3};
-      for (const ScheduleItem& item : wired->schedule()) item.component->step(tick);
+      for (const ScheduleItem& item : wired->main().schedule()) item.component->step(tick);
     }
   }
   OutputPort& output(NodeId node, std::string_view name) {

@@ -74,7 +74,7 @@ class LaparoscopeRig {
     device = static_cast<SimulatedLaparoscope*>(wired->find("laparoscope.device"));
     tool = static_cast<LaparoscopeKinematics*>(wired->find("laparoscope.tool"));
     executor = std::make_unique<Executor>(
-        *wired, ExecutorOptions{.timing = false, .schedule = std::move(schedule)});
+        wired->main(), ExecutorOptions{.timing = false, .schedule = std::move(schedule)});
     executor->start();
   }
   void tick() { executor->tick({next_++, 0, 0}, true); }

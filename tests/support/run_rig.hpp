@@ -37,13 +37,15 @@ class TestSink final : public RowSink {
  public:
   enum class Throws { never, in_begin, in_row, in_event, in_end, without_a_word };
   explicit TestSink(Throws when = Throws::never) : when_(when) {}
-  void begin(const RowLayout&, const WiredGraph&) override { fail_in(Throws::in_begin); }
-  void row(std::span<const std::byte>) override {
+  void begin(const std::vector<RowLayout>&, const WiredGraph&) override {
+    fail_in(Throws::in_begin);
+  }
+  void row(std::size_t, std::span<const std::byte>) override {
     ++rows;
     fail_in(Throws::in_row);
     if (when_ == Throws::without_a_word) throw 7;
   }
-  void event(const Event& event) override {
+  void event(std::size_t, const Event& event) override {
     kinds.push_back(event.kind);
     fail_in(Throws::in_event);
   }

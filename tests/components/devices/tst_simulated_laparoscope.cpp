@@ -170,7 +170,7 @@ class TestSimulatedLaparoscope : public QObject {
     graph.set({node, "start"}, {std::string("cold")}, {"test", 1});
     const auto wired = wire(graph, {});
     const auto& device = static_cast<SimulatedLaparoscope&>(*wired->component(node));
-    Executor executor(*wired, {.timing = false});
+    Executor executor(wired->main(), {.timing = false});
     executor.start();
     const Vector6d before = device.truth_position->head<6>();
     for (std::int64_t k = 0; k < 2000; ++k) executor.tick({k, 0, 0}, true);
@@ -184,7 +184,7 @@ class TestSimulatedLaparoscope : public QObject {
     const NodeId node = *graph.add("SimulatedLaparoscope", "", {"test", 1});
     const auto wired = wire(graph, {});
     const auto& device = static_cast<SimulatedLaparoscope&>(*wired->component(node));
-    Executor executor(*wired, {.timing = false});
+    Executor executor(wired->main(), {.timing = false});
     executor.start();
     for (std::int64_t k = 0; k < 100; ++k) executor.tick({k, 0, 0}, true);
     QVERIFY(device.truth_tip->position.z < .08);

@@ -78,6 +78,41 @@ class TestTimingHistogram : public QObject {
     QCOMPARE(histogram.percentile(1.0), std::int64_t{0});
   }
 
+  void its_bins_hold_every_sample_once() {
+    const std::vector<std::int64_t> samples = spread_over(10.0, 5'000);
+    TimingHistogram histogram;
+    for (const std::int64_t sample : samples) histogram.add(sample);
+    std::int64_t before = -1;
+    std::uint64_t count = 0;
+    for (const TimingHistogram::Bin& bin : histogram.bins()) {
+      QVERIFY(bin.lower > before && bin.upper >= bin.lower);
+      const auto inside = std::count_if(samples.begin(), samples.end(), [&](std::int64_t sample) {
+        return sample >= bin.lower && sample <= bin.upper;
+      });
+      QCOMPARE(bin.count, static_cast<std::uint64_t>(inside));
+      before = bin.upper;
+      count += bin.count;
+    }
+    QCOMPARE(count, histogram.count());
+    QVERIFY(TimingHistogram().bins().empty());
+  }
+
+  void several_make_one() {
+    TimingHistogram first, second, both;
+    for (const std::int64_t sample : spread_over(8.0, 1'000)) {
+      first.add(sample);
+      both.add(sample);
+    }
+    second.add(123'456'789'012);
+    both.add(123'456'789'012);
+    first.add(second);
+    QCOMPARE(first.count(), both.count());
+    QCOMPARE(first.max(), both.max());
+    QCOMPARE(first.mean(), both.mean());
+    for (const double share : {0.1, 0.5, 0.99, 1.0})
+      QCOMPARE(first.percentile(share), both.percentile(share));
+  }
+
   void the_longest_duration_fits() {
     TimingHistogram histogram;
     histogram.add(std::numeric_limits<std::int64_t>::max());

@@ -133,6 +133,39 @@ class TestLogFile : public QObject {
     QCOMPARE(events.times[2], std::uint64_t{20'000'000});
   }
 
+  void what_a_slow_recorder_missed_stands_in_the_log() {
+    RunRig rig;
+    const std::unique_ptr<WiredGraph> wired = wire(rig.graph, {});
+    const std::vector<RowLayout> layouts = layouts_of(*wired);
+    const RowLayout& layout = layouts.front();
+    const std::vector<std::int64_t> times(wired->main().schedule().size());
+    std::vector<std::byte> row(layout.size());
+    LogFile log(path(), 0);
+    Recorder recorder(log, {});
+    recorder.begin(layouts, *wired);
+    for (const std::int64_t tick : {0, 121, 122, 130}) {
+      if (tick == 121) recorder.missed(120);
+      if (tick == 130) recorder.missed(7);
+      if (tick == 130) recorder.event(0, {.kind = Event::Kind::ended, .tick = 130});
+      layout.capture({.tick = tick, .time = tick * 1'000'000}, times, wired->main().memory(), row);
+      recorder.row(0, row);
+    }
+    recorder.end();
+    log.close();
+    const McapReader reader(path());
+    reader.verify();
+    const Topic events(reader, "/events");
+    QCOMPARE(events.texts.size(), std::size_t{3});
+    for (const std::size_t i : {0, 1}) {
+      QCOMPARE(events.texts[i].at("kind"), std::string("rows missed"));
+      QCOMPARE(events.texts[i].at("source"), std::string("recorder"));
+      QCOMPARE(events.numbers[i].at("tick"), i == 0 ? 121.0 : 130.0);
+      QCOMPARE(events.numbers[i].at("value"), i == 0 ? 120.0 : 7.0);
+    }
+    QCOMPARE(events.texts[2].at("kind"), std::string("ended"));
+    QCOMPARE(events.times[0], std::uint64_t{121'000'000});
+  }
+
   void two_runs_have_topics_of_their_own_and_time_goes_on() {
     RunRig rig;
     LogFile log(path(), 1'000);
@@ -220,7 +253,7 @@ class TestLogFile : public QObject {
         result = run(rig.graph, options);
         QCOMPARE(result.lost.size(), std::size_t{1});
         QVERIFY(QString::fromStdString(result.lost[0]).contains("ulimit"));
-        QCOMPARE(result.loop.ticks, std::int64_t{5000});
+        QCOMPARE(result.main().loop.ticks, std::int64_t{5000});
       }
       QCOMPARE(other.rows, 10'000);
       QVERIFY_THROWS_EXCEPTION(std::runtime_error, log.close());

@@ -41,7 +41,7 @@ struct LayoutRig {
   }
   RowLayout layout(const RowLayout::Selection& wanted = {}) {
     wired = wire(graph, {});
-    return RowLayout(*wired, wanted);
+    return RowLayout(wired->main(), wanted);
   }
 };
 
@@ -99,7 +99,7 @@ class TestRowLayout : public QObject {
     message[1] = std::byte{1};
     const std::vector<std::int64_t> times = {11, 12};
     layout.capture({.tick = 3, .time = 4, .lateness = 5, .duration = 6, .flags = 7}, times,
-                   rig.wired->memory(), std::span(message).subspan(cdr_head));
+                   rig.wired->main().memory(), std::span(message).subspan(cdr_head));
     const Ros2Decoder decoder("trocar/Row", ros2_schema_text(layout.messages()));
     std::map<std::string, double> expected = {{"tick", 3},
                                               {"time", 4},

@@ -24,6 +24,11 @@ const QByteArray rig =
     "  build = function(p, i)\n"
     "    local inner = trocar.Scale { name = \"inner\", input = i.input, factor = p.factor }\n"
     "    return { value = inner.value } end }\n";
+const QByteArray threads =
+    "local fast = trocar.thread { rate = \"1 kHz\" }\n"
+    "local slow = trocar.thread { rate = \"100 Hz\", priority = 40 }\n"
+    "local laparoscope = fast.Laparoscope { hand = \"none\" }\n"
+    "local wall = fast.Wall { at = laparoscope.tip }\n";
 const QByteArray ramp = "local sine = trocar.Sine { amplitude = \"2 N\", frequency = \"1 Hz\" }\n";
 
 }  // namespace
@@ -410,6 +415,47 @@ class TestScript : public QObject {
             "assert(run:last(z) == run:last(\"laparoscope.device.truth.tip.position.z\"))");
     row("a truth that there is not", device + "local z = laparoscope.device.truth.tipp",
         {"2: (a SimulatedLaparoscope) has no \"truth.tipp\", did you mean \"truth.tip\""});
+    row("a value that crosses without a word", threads + "slow.Creep { load = wall.load }",
+        {"5: wall.load → creep.load goes from thread fast to thread slow: say how, by "
+         "wall.load:latest { stale = \"3 ms\" }"});
+    row("two threads", threads +
+                           "slow.Creep { load = wall.load:latest { stale = \"5 ms\" } }\n"
+                           "local run = trocar.run { duration = \"50 ms\" }\n"
+                           "assert(run:last(\"creep.load_valid\") == 1)");
+    row("a thread by its entry",
+        threads + "trocar.Creep { thread = slow, load = wall.load:latest() }");
+    row("a group of a script in a thread",
+        threads +
+            "local Pair = trocar.group { inputs = { \"load\" }, build = function(p, i)\n"
+            "  return { depth = trocar.Creep { load = i.load }.depth } end }\n"
+            "Pair { thread = slow, load = wall.load:latest() }");
+    row("threads are named after their variables",
+        threads + "slow.Creep { load = wall.load:latest { size = 3 } }",
+        {"5: latest has no \"size\""});
+    row("a thread that is none", threads + "trocar.Creep { thread = wall, load = \"1 N\" }",
+        {"5: thread = \"the component wall\": needs what trocar.thread returned"});
+    row("a component that there is not, in a thread", threads + "slow.Crep {}",
+        {"5: there is no component \"Crep\", did you mean \"Creep\"?"});
+    row("a thread without a rate", "trocar.thread {}", {"1: trocar.thread needs a rate"});
+    row("a thread's misspelt entry", "trocar.thread { rat = \"1 kHz\" }",
+        {"1: trocar.thread has no \"rat\", did you mean \"rate\"?"});
+    row("a thread's rate in the wrong unit", "trocar.thread { rate = \"1 s\" }",
+        {"1: thread.rate = \"1 s\": needs Hz"});
+    row("a thread's priority", "trocar.thread { rate = \"1 kHz\", priority = 99 }",
+        {"1: thread thread: priority = 99: 1 to 98 is possible"});
+    row("a name that two threads want",
+        "trocar.thread { name = \"a\", rate = \"1 Hz\" }\ntrocar.thread { name = \"a\", rate = \"1 "
+        "Hz\" }",
+        {"2: there is a thread \"a\" already"});
+    row("a sum in no thread", threads + "local s = wall.load:latest() + wall.load:latest()",
+        {"5: in which thread is this sum to be?"});
+    row("a delay behind a crossing", threads + "wall.load:latest():delay { initial = \"0 N\" }",
+        {"5: wall.load: delay it first, and let latest come last"});
+    row("fit across threads",
+        threads +
+            "local c = slow.Creep { load = wall.load:latest() }\n"
+            "trocar.run { duration = \"50 ms\" }:fit { x = wall.load, y = c.depth }",
+        {"6: run:fit: the signals are of different threads"});
     row("os.exit", "os.exit(0)", {"1: os.exit would leave half a log"});
     row("work after an error that was caught",
         wall +

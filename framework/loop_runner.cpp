@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "framework/loop_runner.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace trocar {
+namespace {
+
+/// A thread in virtual time.
+struct Turn {
+  Executor* executor = nullptr;
+  std::int64_t next = 0;  // slot
+
+  std::int64_t time_ns() const {
+    return executor->group().phase_ns() + next * executor->group().period_ns();
+  }
+  bool comes_before(const Turn& other) const {
+    if (time_ns() != other.time_ns()) return time_ns() < other.time_ns();
+    return executor->group().priority() > other.executor->group().priority();
+  }
+};
+
+}  // namespace
+
+void run_in_virtual_time(std::deque<Executor>& executors) {
+  run_on_loop_thread({}, [&] {
+    std::vector<Turn> turns;
+    for (Executor& executor : executors) {
+      executor.start();
+      turns.push_back({&executor});
+    }
+    while (true) {
+      Turn* first = nullptr;
+      for (Turn& turn : turns)
+        if (!turn.executor->over() && (first == nullptr || turn.comes_before(*first)))
+          first = &turn;
+      if (first == nullptr) break;
+      first->executor->tick({.index = first->next++}, true);
+    }
+    for (const Turn& turn : turns)
+      turn.executor->stop({.index = std::max<std::int64_t>(0, turn.next - 1)}, true);
+  });
+}
+
+Shortcomings run_in_real_time(std::deque<Executor>& executors, std::int64_t spin_ns) {
+  std::deque<PeriodicClock> clocks;
+  std::vector<LoopThread> threads;
+  for (Executor& executor : executors) {
+    PeriodicClock& clock = clocks.emplace_back(spin_ns);
+    const RateGroup& group = executor.group();
+    LoopThread& thread = threads.emplace_back();
+    thread.options.name = group.name();
+    thread.options.realtime = true;
+    thread.options.priority = group.priority();
+    thread.options.processor = group.processor();
+    thread.prepare = [&executor] { executor.start(); };
+    thread.loop = [&executor, &clock, &group](std::int64_t start_ns) {
+      clock.start_at(start_ns + group.phase_ns(), group.period_ns());
+      executor.loop(clock);
+    };
+  }
+  return run_on_loop_threads(threads);
+}
+
+}  // namespace trocar

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+
+#include "framework/executor.hpp"
+#include "framework/realtime/loop_thread.hpp"
+
+namespace trocar {
+
+/// Runs all threads of a graph one after the other, each at its virtual times, in one order: time,
+/// then priority (the higher first), then declaration. As fast as the machine goes.
+void run_in_virtual_time(std::deque<Executor>& executors);
+
+/// Runs each on a thread of the machine of its own, all on one raster of time.
+/// @param spin_ns guard spin of each, see PeriodicClock
+/// @return what the machine did not allow
+Shortcomings run_in_real_time(std::deque<Executor>& executors, std::int64_t spin_ns);
+
+}  // namespace trocar

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "framework/wiring.hpp"
+
+namespace trocar {
+namespace {
+
+constexpr std::size_t word = sizeof(double);
+
+std::size_t words_of(const Signature& signature) {
+  return (signature.type->size + word - 1) / word;
+}
+
+bool is_number(const Signature& signature) {
+  return !signature.type->fields.empty() || signature.type->scalar == Scalar::real;
+}
+
+}  // namespace
+
+double Wiring::thread_rate(NodeId node) const {
+  const double own = graph_.threads()[graph_.node(node).thread].rate;
+  return own > 0.0 ? own : options_.rate;
+}
+
+void Wiring::check_connections() {
+  for (const ResolvedWire& wire : wires_) {
+    const auto thread_of = [&](NodeId node) -> const std::string& {
+      return graph_.threads()[graph_.node(node).thread].name;
+    };
+    const bool crosses = graph_.node(wire.from_node).thread != graph_.node(wire.to_node).thread;
+    const double own_rate = graph_.node(wire.from_node).rate;
+    const double value_rate = own_rate > 0.0 ? own_rate : thread_rate(wire.from_node);
+    const std::string source = wire.text().substr(0, wire.text().find(" →"));
+    if (crosses && !wire.connection)
+      findings_.add(wire.where,
+                    fmt::format("{} goes from thread {} to thread {}: say how, by "
+                                "{}:latest {{ stale = \"{:.3g} ms\" }} or {}:queue()",
+                                wire.text(), thread_of(wire.from_node), thread_of(wire.to_node),
+                                source, 3e3 / value_rate, source));
+    else if (!crosses && wire.connection)
+      findings_.add(wire.where,
+                    fmt::format("{}: both are in thread {}; take {} without {}", wire.text(),
+                                thread_of(wire.to_node), source, to_string(wire.connection->kind)));
+    else if (crosses && wire.connection->kind == Connection::Kind::queue &&
+             value_rate > thread_rate(wire.to_node) * (1.0 + 1e-9))
+      findings_.add(wire.where,
+                    fmt::format("{}: a queue from {:.6g} Hz to {:.6g} Hz fills up; take latest",
+                                wire.text(), value_rate, thread_rate(wire.to_node)));
+    else if (crosses && wire.connection->stale * value_rate < 1.0)
+      findings_.add(wire.where,
+                    fmt::format("{}: stale = {:.3g} ms is less than the {:.3g} ms from one value "
+                                "to the next",
+                                wire.text(), 1e3 * wire.connection->stale, 1e3 / value_rate));
+  }
+}
+
+/// One for each thread in use, in the order of declaration, with its schedule and its memory.
+void Wiring::make_groups() {
+  group_index_.assign(graph_.size(), 0);
+  item_index_.assign(graph_.size(), 0);
+  position_.assign(graph_.size(), 0);
+  for (std::size_t i = 0; i < order_.size(); ++i) position_[order_[i]] = i;
+  for (ThreadId thread = 0; thread < graph_.threads().size(); ++thread) {
+    const Graph::Thread& declared = graph_.threads()[thread];
+    RateGroup group;
+    for (const NodeId id : order_) {
+      const Graph::Node& node = graph_.node(id);
+      if (node.thread != thread) continue;
+      group_index_[id] = result_->groups_.size();
+      item_index_[id] = group.schedule_.size();
+      const double divider = node.rate == 0.0 ? 1.0 : std::round(thread_rate(id) / node.rate);
+      group.schedule_.push_back({.component = result_->components_[id].get(),
+                                 .divider = static_cast<std::int64_t>(divider),
+                                 .phase = node.phase});
+      if (auto* device = dynamic_cast<Device*>(result_->components_[id].get()))
+        group.devices_.push_back(device);
+    }
+    const bool last_chance = thread + 1 == graph_.threads().size() && result_->groups_.empty();
+    if (group.schedule_.empty() && !last_chance) continue;
+    group.name_ = declared.name;
+    group.period_ns_ = std::llround(1e9 / (declared.rate > 0.0 ? declared.rate : options_.rate));
+    group.period_ = static_cast<double>(group.period_ns_) * 1e-9;
+    group.phase_ns_ = std::llround(declared.phase * 1e9);
+    group.priority_ = declared.priority;
+    group.processor_ = declared.processor;
+    result_->groups_.push_back(std::move(group));
+  }
+  for (const ResolvedWire& wire : wires_) {
+    if (!wire.connection) continue;
+    RateGroup& reader = group_of(wire.to_node);
+    reader.arrivals_.push_back(
+        {.input = wire.to, .item = item_index_[wire.to_node], .signature = *wire.to->signature()});
+  }
+  for (RateGroup& group : result_->groups_) lay_out_memory(group);
+}
+
+/// Numbers of outputs first, the other outputs, then what arrives: value, tick, validity.
+void Wiring::lay_out_memory(RateGroup& group) {
+  std::size_t words = 0;
+  for (const ScheduleItem& item : group.schedule_)
+    for (const OutputPort* output : item.component->outputs())
+      words += words_of(*output->signature());
+  for (const Arrival& arrival : group.arrivals_) words += words_of(arrival.signature) + 2;
+  group.memory_.assign(words, 0.0);
+
+  std::size_t at = 0;
+  for (const bool numbers : {true, false}) {
+    for (ScheduleItem& item : group.schedule_) {
+      if (numbers) item.begin = at;
+      for (OutputPort* output : item.component->outputs()) {
+        if (is_number(*output->signature()) != numbers) continue;
+        output->place(reinterpret_cast<std::byte*>(&group.memory_[at]));
+        at += words_of(*output->signature());
+      }
+      if (numbers) item.end = at;
+    }
+    if (numbers) group.number_count_ = at;
+  }
+  for (Arrival& arrival : group.arrivals_) {
+    arrival.value = reinterpret_cast<const std::byte*>(&group.memory_[at]);
+    at += words_of(arrival.signature);
+    arrival.tick = new (&group.memory_[at++]) std::int64_t(-1);
+    arrival.valid = new (&group.memory_[at++]) bool(false);
+  }
+}
+
+void Wiring::connect() {
+  for (const ResolvedWire& wire : wires_) {
+    if (wire.connection)
+      connect_across(wire);
+    else
+      wire.to->connect({.output = wire.from,
+                        .offset = select_field(*wire.from->signature(), wire.path).offset,
+                        .this_tick = position_[wire.from_node] < position_[wire.to_node]});
+  }
+}
+
+void Wiring::connect_across(const ResolvedWire& wire) {
+  RateGroup& reader = group_of(wire.to_node);
+  RateGroup& producer = group_of(wire.from_node);
+  // Arrivals of a group stand in the order of the wires, and this is the first that is not made.
+  std::size_t a = 0;
+  while (reader.arrivals_[a].crossing != nullptr) ++a;
+  Arrival& arrival = reader.arrivals_[a];
+  std::byte* const memory = reinterpret_cast<std::byte*>(reader.memory_.data());
+  const std::size_t offset = select_field(*wire.from->signature(), wire.path).offset;
+  Crossing& crossing = result_->crossings_.emplace_back(
+      *wire.connection, std::span(wire.from->data() + offset, arrival.signature.type->size),
+      Crossing::Target{memory + reader.offset_of(arrival.value),
+                       reinterpret_cast<std::int64_t*>(memory + reader.offset_of(arrival.tick)),
+                       reinterpret_cast<bool*>(memory + reader.offset_of(arrival.valid))},
+      wire.text());
+  arrival.crossing = &crossing;
+  // More than fit share the last bit: what is lost for one is then lost for each of them.
+  constexpr std::size_t most_bits = 64;
+  const std::size_t bit = std::min(producer.departures_.size(), most_bits - 1);
+  const std::size_t item = item_index_[wire.from_node];
+  producer.departures_.push_back(
+      {.crossing = &crossing, .item = item, .mask = std::uint64_t{1} << bit});
+  const double divider = static_cast<double>(producer.schedule_[item].divider);
+  wire.to->connect({.output = wire.from,
+                    .offset = offset,
+                    .this_tick = true,
+                    .info = &crossing.info(),
+                    .value = arrival.value,
+                    .transfer = producer.period_ * divider});
+}
+
+}  // namespace trocar
