@@ -33,6 +33,7 @@ struct RunArguments {
   std::string duration;
   std::string clock = "realtime";
   std::string record;
+  std::string black_box;
   std::string json;
 };
 
@@ -42,6 +43,9 @@ SessionOptions session_options(const RunArguments& arguments) {
   if (!arguments.duration.empty()) options.duration = duration_of(arguments.duration, "--for");
   options.seed = arguments.script.seed;
   if (!arguments.record.empty()) options.record = arguments.record;
+  if (arguments.black_box != "off") options.black_box = BlackBoxOptions{};
+  if (options.black_box && !arguments.black_box.empty())
+    options.black_box->file = arguments.black_box;
   options.stop = &interrupted;
   options.print_to_stderr = arguments.json == "-";
   return options;
@@ -96,6 +100,9 @@ void add_run(CLI::App& app, int& status) {
   command->add_option("--clock", arguments->clock, "realtime, or simulated: as fast as it goes")
       ->check(CLI::IsMember({"realtime", "simulated"}));
   command->add_option("--record", arguments->record, "Write an MCAP log to this file");
+  command->add_option("--black-box", arguments->black_box,
+                      "Where the last 5 s before a fault are written, or off (default: beside the "
+                      "log or after the script, NAME.blackbox-1.mcap)");
   command->add_option("--json", arguments->json,
                       "Write the report as JSON to this file, - for stdout");
   command->footer(

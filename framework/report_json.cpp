@@ -57,6 +57,18 @@ Json missed(const RunResult& result) {
   return list;
 }
 
+Json captured(const CaptureResult& all) {
+  Json list = Json::array();
+  for (const TriggeredFile& file : all.files)
+    list.push_back({{"by", file.writer},
+                    {"file", file.path},
+                    {"cause", file.cause},
+                    {"from", file.from},
+                    {"to", file.to},
+                    {"rows", file.rows}});
+  return list;
+}
+
 Json run_json(const SessionRun& run) {
   const RunResult& result = run.result;
   Json components = Json::object();
@@ -79,7 +91,9 @@ Json run_json(const SessionRun& run) {
           {"faults", faults(result)},
           {"shortcomings", result.shortcomings},
           {"lost", result.lost},
-          {"missed", missed(result)}};
+          {"missed", missed(result)},
+          {"captured", captured(run.captured)},
+          {"notes", run.captured.notes}};
 }
 
 }  // namespace

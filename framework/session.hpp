@@ -11,19 +11,21 @@
 #include "framework/highlights.hpp"
 #include "framework/recording/log_file.hpp"
 #include "framework/run.hpp"
+#include "framework/session_captures.hpp"
 
 namespace trocar {
 
 /// What the command line says about a session; it wins over the script.
 struct SessionOptions {
   ClockKind clock = ClockKind::realtime;
-  std::optional<double> duration{};     // [s] --for
-  double default_duration = 10.0;       // [s] in virtual time, where nobody says
-  std::optional<std::uint64_t> seed{};  // --seed
-  std::optional<std::string> record{};  // --record
-  Graph::Overrides set{};               // --set
-  bool check_only = false;              // stop at the first run
-  bool print_to_stderr = false;         // what the script prints
+  std::optional<double> duration{};            // [s] --for
+  double default_duration = 10.0;              // [s] in virtual time, where nobody says
+  std::optional<std::uint64_t> seed{};         // --seed
+  std::optional<std::string> record{};         // --record
+  Graph::Overrides set{};                      // --set
+  std::optional<BlackBoxOptions> black_box{};  // --black-box
+  bool check_only = false;                     // stop at the first run
+  bool print_to_stderr = false;                // what the script prints
   const StopFlag* stop = nullptr;
   RowSink* progress = nullptr;
 };
@@ -38,6 +40,7 @@ struct Published {
 struct SessionRun {
   RunResult result;
   Highlights highlights;
+  CaptureResult captured{};
 };
 
 /// What a script asked for and what came of it. A script describes a graph and may run it several
@@ -68,6 +71,10 @@ class Session {
 
  private:
   void open_log();
+  std::string wanted_log() const;
+  std::vector<RowSink*> begin_captures();
+  std::string stem() const;
+  void trouble(const std::string& message);
   void try_log(const std::function<void()>& write);
   RowLayout::Selection selection() const;
 
@@ -77,6 +84,7 @@ class Session {
   std::unique_ptr<LogFile> log_;
   std::string log_path_;
   bool log_opened_ = false;
+  SessionCaptures captures_;
   std::vector<std::unique_ptr<SessionRun>> runs_;
   std::vector<Published> published_;
   std::vector<std::string> troubles_;
