@@ -17,6 +17,7 @@ enum ExitStatus : int {
 
 void add_check(CLI::App& app, int& status);
 void add_describe(CLI::App& app, int& status);
+void add_graph(CLI::App& app, int& status);
 void add_info(CLI::App& app, int& status);
 void add_kinematics(CLI::App& app, int& status);
 void add_list(CLI::App& app, int& status);

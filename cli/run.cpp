@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <fstream>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -47,15 +45,6 @@ SessionOptions session_options(const RunArguments& arguments) {
   return options;
 }
 
-/// To a file, or to standard output for "-".
-void write_json(const std::string& path, const std::string& text) {
-  if (path == "-") return print(text);
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.flush();
-  if (!file) throw std::runtime_error(fmt::format("cannot write the report \"{}\"", path));
-}
-
 int run(const RunArguments& arguments) {
   Registry registry;
   register_components(registry);
@@ -73,15 +62,13 @@ int run(const RunArguments& arguments) {
     run_script(session, arguments.script.script, std::move(script_arguments));
   } catch (const BrokenGraph& broken) {
     session.finish();
-    complain(fmt::format("{} {}:\n{}", broken.findings.all().size(),
-                         broken.findings.all().size() == 1 ? "mistake" : "mistakes",
-                         broken.findings.text()));
+    complain(mistakes_text(broken.findings));
     status = misused;
   }
   session.finish();
   if (status == success && !session.sound()) status = failed;
   if (arguments.json != "-" && !session.runs().empty()) print(report_text(session));
-  if (!arguments.json.empty()) write_json(arguments.json, report_json(session));
+  if (!arguments.json.empty()) write_output(arguments.json, report_json(session));
   return status;
 }
 
@@ -95,9 +82,11 @@ void add_run(CLI::App& app, int& status) {
                       "How long, e.g. 5s (default: until Ctrl-C; 10 s in simulated time)");
   command->add_option("--clock", arguments->clock, "realtime, or simulated: as fast as it goes")
       ->check(CLI::IsMember({"realtime", "simulated"}));
-  command->add_option("--record", arguments->record, "Write an MCAP log to this file");
-  command->add_option("--json", arguments->json,
-                      "Write the report as JSON to this file, - for stdout");
+  command->add_option("--record", arguments->record, "Write an MCAP log to this file")
+      ->type_name("FILE.mcap");
+  command
+      ->add_option("--json", arguments->json, "Write the report as JSON to this file, - for stdout")
+      ->type_name("FILE");
   command->footer(
       "Example:\n"
       "  trocar run scripts/tutorial/01_feel_a_wall.lua --for 5s --clock simulated\n"

@@ -42,6 +42,11 @@ void ScriptOptions::split(Graph::Overrides& parameters, Graph::Overrides& argume
   }
 }
 
+std::string mistakes_text(const Findings& findings) {
+  const std::size_t count = findings.all().size();
+  return fmt::format("{} {}:\n{}", count, count == 1 ? "mistake" : "mistakes", findings.text());
+}
+
 double duration_of(const std::string& text, const std::string& option) {
   try {
     const Quantity quantity = parse_quantity(text);

@@ -60,7 +60,8 @@ RowLayout::Selection Session::selection() const {
   };
 }
 
-void Session::open_log() {
+/// @param wired the graph as its first run has it; null where nothing ran
+void Session::open_log(const WiredGraph* wired) {
   if (log_opened_) return;
   log_opened_ = true;
   const Logger* logger = find_logger(graph_);
@@ -69,7 +70,7 @@ void Session::open_log() {
   log_ =
       std::make_unique<LogFile>(log_path_, options_.clock == ClockKind::simulated ? 0 : date_ns());
   for (const auto& [name, text] : scripts_) log_->attach(name, "text/x-lua", text);
-  log_->attach("graph.json", "application/json", graph_json(graph_));
+  log_->attach("graph.json", "application/json", graph_json(graph_, wired));
   for (const Published& one : published_) log_->publish(one.name, literal_json(one.row));
 }
 
@@ -81,9 +82,7 @@ const SessionRun& Session::run(RunOptions wanted) {
   if (options_.seed) wanted.wiring.seed = *options_.seed;
   wanted.stop = options_.stop;
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);
-  if (const Findings findings = check(graph_, wanted.wiring); !findings.empty())
-    throw BrokenGraph(findings);  // before a log is begun
-  open_log();
+  open_log(wire(graph_, wanted.wiring).get());  // throws before a log is begun
   auto one = std::make_unique<SessionRun>();
   std::unique_ptr<Recorder> recorder;
   wanted.sinks.push_back(&one->highlights);
@@ -103,7 +102,7 @@ void Session::publish(std::string name, Literal row) {
 }
 
 void Session::finish() {
-  if (!published_.empty()) try_log([&] { open_log(); });
+  if (!published_.empty()) try_log([&] { open_log(nullptr); });
   if (log_) try_log([&] { log_->close(); });
 }
 

@@ -67,7 +67,7 @@ class Session {
   bool sound() const;
 
  private:
-  void open_log();
+  void open_log(const WiredGraph* wired);
   void try_log(const std::function<void()>& write);
   RowLayout::Selection selection() const;
 

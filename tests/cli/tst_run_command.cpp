@@ -73,7 +73,7 @@ class TestRunCommand : public QObject {
         "cannot create '/nowhere/a.mcap': No such file or directory");
     row("a folder for a log", "", {"--record", "/"}, 1, "cannot create '/'");
     row("a report that cannot be written", "", {"--for", "10ms", "--json", "/nowhere/a"}, 1,
-        "cannot write the report \"/nowhere/a\"");
+        "cannot write \"/nowhere/a\"");
     row("a fault",
         "local l = trocar.Laparoscope { hand = \"none\" }\n"
         "trocar.Spring { at = l.tip, stiffness = \"1 N/mm\", about = \"center\",\n"
