@@ -16,6 +16,7 @@ enum ExitStatus : int {
 };
 
 void add_check(CLI::App& app, int& status);
+void add_completion(CLI::App& app, int& status);
 void add_describe(CLI::App& app, int& status);
 void add_graph(CLI::App& app, int& status);
 void add_info(CLI::App& app, int& status);

@@ -14,7 +14,7 @@ constexpr std::size_t most_digits = 15;  // what JSON's numbers hold, and CLI11 
 }  // namespace
 
 void ScriptOptions::add_to(CLI::App& command) {
-  command.add_option("script", script, "The Lua script")->required();
+  command.add_option("script", script, "The Lua script")->required()->type_name("FILE.lua");
   command
       .add_option(
           "--set", settings,

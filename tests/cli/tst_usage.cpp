@@ -24,6 +24,8 @@ class TestUsage : public QObject {
     row("help names the commands", {"--help"}, 0, "kinematics", "");
     row("help of a command has an example", {"list", "--help"}, 0, "Example:\n  trocar list", "");
     row("of graph", {"graph", "--help"}, 0, "Example:\n  trocar graph scripts/", "");
+    row("of completion", {"completion", "--help"}, 0, "source <(trocar completion bash)", "");
+    row("names alone", {"list", "--names"}, 0, "\nWall\n", "");
     row("of describe", {"describe", "--help"}, 0, "Example:\n  trocar describe Wall", "");
     row("of info", {"info", "--help"}, 0, "Example:\n  trocar info demo.mcap", "");
     row("of kinematics", {"kinematics", "--help"}, 0, "Example:\n  trocar kinematics fk", "");
