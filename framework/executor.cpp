@@ -8,28 +8,14 @@
 namespace trocar {
 
 Executor::Executor(WiredGraph& graph, ExecutorOptions options)
-    : graph_(graph), options_(std::move(options)) {
+    : graph_(graph), options_(std::move(options)), stepper_(graph, faults_) {
   std::stable_sort(options_.schedule.begin(), options_.schedule.end(),
                    [](const Command& a, const Command& b) { return a.not_before < b.not_before; });
   for (Device* device : graph.devices()) gates_.emplace_back(*device, graph.period(), faults_);
   for (const Gate& gate : gates_) gate_states_.push_back(gate.state());
   const std::size_t count = graph.schedule().size();
-  states_.resize(count);
   times_.resize(count);
   statistics_.components.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    states_[i].next_due = graph.schedule()[i].phase;
-    const auto& placement = graph.schedule()[i].component->placement();
-    if (!placement || placement->force == nullptr || placement->velocity == nullptr ||
-        !placement->velocity->connected() || placement->acts != Placement::Acts::through_motors)
-      continue;
-    const Source& source = placement->velocity->sources().front();
-    states_[i].force = reinterpret_cast<Vector3*>(const_cast<std::byte*>(placement->force->data()));
-    if (placement->moment != nullptr)
-      states_[i].moment =
-          reinterpret_cast<Vector3*>(const_cast<std::byte*>(placement->moment->data()));
-    states_[i].velocity = reinterpret_cast<const Vector3*>(source.output->data() + source.offset);
-  }
 }
 
 void Executor::run(Clock& clock) {
@@ -65,14 +51,11 @@ void Executor::tick(const Slot& slot, bool simulated) RT_SAFE {
   take_commands(tick);
   ramps_.advance();
   step_all(tick);
-  effort_lost_ = effort_failed_;
-  hold_lost_ = hold_failed_;
-  find_not_finite(tick);
   pass_gates(tick);
   report_changes(tick);
   // In virtual time a full ring makes the tick wait for its readers, which is not its own cost.
   const std::int64_t end = options_.timing && simulated ? monotonic_ns() : 0;
-  send_row(tick, slot);
+  if (options_.records != nullptr) send_row(tick, slot);
   ++statistics_.ticks;
   statistics_.skipped += slot.skipped;
   statistics_.lateness.add(slot.lateness_ns);
@@ -144,102 +127,17 @@ void Executor::acknowledge(Event event) RT_SAFE {
 }
 
 void Executor::step_all(const Tick& tick) RT_SAFE {
-  if (!options_.timing) {
-    for (std::size_t i = 0; i < states_.size(); ++i) step_one(i, tick);
-    return;
-  }
-  std::int64_t before = monotonic_ns();
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    const bool stepped = step_one(i, tick);
-    const std::int64_t after = monotonic_ns();
-    times_[i] = after - before;
-    if (stepped) statistics_.components[i].add(times_[i]);
-    before = after;
-  }
-}
-
-bool Executor::step_one(std::size_t i, const Tick& tick) RT_SAFE {
-  const ScheduleItem& item = graph_.schedule()[i];
-  ItemState& state = states_[i];
-  if (state.failed) {
-    fade(state, tick);
-    return false;
-  }
-  if (tick.index < state.next_due) return false;
-  // A slot that was skipped must not cost a slow component its turn.
-  state.next_due = item.phase + ((tick.index - item.phase) / item.divider + 1) * item.divider;
-  Tick own = tick;
-  const double period = graph_.period() * static_cast<double>(item.divider);
-  if (state.last >= 0)
-    own.dt = std::clamp(static_cast<double>(tick.index - state.last) * graph_.period(),
-                        0.5 * period, 2.0 * period);
+  if (options_.timing)
+    stepper_.step(tick, {times_, statistics_.components});
   else
-    own.dt = period;
-  state.last = tick.index;
-  if (state.force != nullptr) state.remainder.begin(*state.force);
-  item.component->step(own);
-  if (item.component->failure() != nullptr) give_up(i, tick);
-  return true;
-}
-
-void Executor::give_up(std::size_t i, const Tick& tick) RT_SAFE {
-  const ScheduleItem& item = graph_.schedule()[i];
-  ItemState& state = states_[i];
-  state.failed = true;
-  faults_.raise({.cause = FaultCause::component_failed,
-                 .component = item.component->name().c_str(),
-                 .detail = item.component->failure(),
-                 .tick = tick.index,
-                 .time_ns = tick.time_ns});
-  if (state.force != nullptr) {
-    state.last = tick.index - 1;  // it fades from now on
-    fade(state, tick);
-    return;
-  }
-  effort_failed_ |= item.reaches_effort;
-  hold_failed_ |= item.reaches_hold;
-  // A device that gave up reports no position, and without one nothing may be sent.
-  for (std::size_t d = 0; d < gates_.size(); ++d)
-    if (&gates_[d].device() == item.component) hold_failed_ |= 1u << d;
-}
-
-/// In every tick, also of a slow fixture: motion may turn at any time.
-void Executor::fade(ItemState& state, const Tick& tick) RT_SAFE {
-  if (state.force == nullptr) return;
-  const double elapsed = static_cast<double>(tick.index - state.last) * graph_.period();
-  state.last = tick.index;
-  *state.force = state.remainder.step(*state.velocity, elapsed);
-  if (state.moment != nullptr) *state.moment = {};
-}
-
-/// One pass over all numbers; only when it finds something, a search for whose it is.
-void Executor::find_not_finite(const Tick& tick) RT_SAFE {
-  const std::span<const double> numbers = graph_.numbers();
-  double sums[4] = {};
-  std::size_t n = 0;
-  for (; n + 4 <= numbers.size(); n += 4)
-    for (std::size_t lane = 0; lane < 4; ++lane) sums[lane] += numbers[n + lane] * 0.0;
-  for (; n < numbers.size(); ++n) sums[0] += numbers[n] * 0.0;
-  if (sums[0] + sums[1] + sums[2] + sums[3] == 0.0) return;
-  for (const ScheduleItem& item : graph_.schedule()) {
-    const bool sound = std::all_of(numbers.begin() + static_cast<std::ptrdiff_t>(item.begin),
-                                   numbers.begin() + static_cast<std::ptrdiff_t>(item.end),
-                                   [](double x) { return std::isfinite(x); });
-    if (sound) continue;
-    faults_.raise({.cause = FaultCause::not_finite,
-                   .component = item.component->name().c_str(),
-                   .detail = "an output",
-                   .tick = tick.index,
-                   .time_ns = tick.time_ns});
-    effort_lost_ |= item.reaches_effort;
-    hold_lost_ |= item.reaches_hold;
-  }
+    stepper_.step(tick);
 }
 
 void Executor::pass_gates(const Tick& tick) RT_SAFE {
-  for (std::size_t d = 0; d < gates_.size(); ++d) {
-    const unsigned bit = 1u << d;
-    gates_[d].pass(tick, (effort_lost_ & bit) == 0, (hold_lost_ & bit) == 0);
+  unsigned bit = 1u;
+  for (Gate& gate : gates_) {
+    gate.pass(tick, (stepper_.effort_lost() & bit) == 0, (stepper_.hold_lost() & bit) == 0);
+    bit <<= 1u;
   }
 }
 
@@ -255,14 +153,16 @@ void Executor::report_changes(const Tick& tick) RT_SAFE {
           .value = fault.value,
           .limit = fault.limit});
   }
-  for (std::size_t d = 0; d < gates_.size(); ++d) {
-    if (gates_[d].state() == gate_states_[d]) continue;
-    gate_states_[d] = gates_[d].state();
+  auto reported = gate_states_.begin();
+  for (const Gate& gate : gates_) {
+    Gate::State& last = *reported++;
+    if (gate.state() == last) continue;
+    last = gate.state();
     send({.kind = Event::Kind::gate,
           .tick = tick.index,
           .time_ns = tick.time_ns,
-          .source = gates_[d].device().name().c_str(),
-          .what = to_string(gates_[d].state())});
+          .source = gate.device().name().c_str(),
+          .what = to_string(last)});
   }
 }
 
@@ -282,7 +182,6 @@ void Executor::send(const Event& event) RT_SAFE {
 }
 
 void Executor::send_row(const Tick& tick, const Slot& slot) RT_SAFE {
-  if (options_.records == nullptr) return;
   const std::span<std::byte> row = room(options_.layout->size());
   if (row.empty()) {
     ++statistics_.rows_lost;

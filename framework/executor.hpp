@@ -14,8 +14,7 @@
 #include "framework/realtime/stop_flag.hpp"
 #include "framework/realtime/timing_histogram.hpp"
 #include "framework/recording/row_layout.hpp"
-#include "framework/resist_only.hpp"
-#include "framework/wired_graph.hpp"
+#include "framework/stepper.hpp"
 
 namespace trocar {
 
@@ -61,23 +60,10 @@ class Executor {
   const std::deque<Gate>& gates() const { return gates_; }
 
  private:
-  struct ItemState {
-    std::int64_t next_due = 0;
-    std::int64_t last = -1;  // slot of its last step
-    bool failed = false;
-    ResistOnly remainder{};
-    Vector3* force = nullptr;  // that it renders at a site
-    Vector3* moment = nullptr;
-    const Vector3* velocity = nullptr;
-  };
   void take_commands(const Tick& tick) RT_SAFE;
   void obey(const Command& command, const Tick& tick) RT_SAFE;
   void acknowledge(Event event) RT_SAFE;
   void step_all(const Tick& tick) RT_SAFE;
-  bool step_one(std::size_t i, const Tick& tick) RT_SAFE;
-  void give_up(std::size_t i, const Tick& tick) RT_SAFE;
-  void fade(ItemState& state, const Tick& tick) RT_SAFE;
-  void find_not_finite(const Tick& tick) RT_SAFE;
   void pass_gates(const Tick& tick) RT_SAFE;
   void report_changes(const Tick& tick) RT_SAFE;
   void send(const Event& event) RT_SAFE;
@@ -89,18 +75,13 @@ class Executor {
   FaultLatch faults_;
   std::deque<Gate> gates_;
   std::vector<Gate::State> gate_states_;  // last reported
-  std::vector<ItemState> states_;
+  Stepper stepper_;
   std::vector<std::int64_t> times_;  // [ns] of each component in this tick
   ParameterRamps ramps_;
   LoopStatistics statistics_;
   std::size_t next_scheduled_ = 0;
   std::size_t faults_reported_ = 0;
   std::int64_t last_duration_ = 0;
-  // Bit d: something that the d-th device's effort or hold is computed from is not to be used,
-  unsigned effort_lost_ = 0;  // in this tick
-  unsigned hold_lost_ = 0;
-  unsigned effort_failed_ = 0;  // for good
-  unsigned hold_failed_ = 0;
   bool simulated_ = false;
   bool ended_ = false;
 };

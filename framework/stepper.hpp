@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "framework/fault.hpp"
+#include "framework/realtime/timing_histogram.hpp"
+#include "framework/resist_only.hpp"
+#include "framework/wired_graph.hpp"
+
+namespace trocar {
+
+/// Where the time of each component goes, in the order of the schedule.
+struct StepTimes {
+  std::span<std::int64_t> latest;        // [ns] in this tick, 0 where it was not due
+  std::span<TimingHistogram> histogram;  // of all ticks
+};
+
+/// Steps the components of a schedule in their order, tick by tick, and watches over what they
+/// write: numbers that are not finite, and components that give up. One that gave up is stepped no
+/// more; a force that it renders at a site may only resist from then on.
+///
+/// Bounded, allocates nothing. A component that runs in every tick costs its own step, a look at
+/// failure() and a few cycles for each number that it writes.
+class Stepper {
+ public:
+  Stepper(const WiredGraph& graph, FaultLatch& faults);
+
+  /// Steps all components that are due. Ticks come in ascending order.
+  void step(const Tick& tick) RT_SAFE;
+  /// The same, with one reading of the clock for each component that is due.
+  void step(const Tick& tick, const StepTimes& times) RT_SAFE;
+
+  /// After step(), bit d: something that the d-th device's effort (or hold) is computed from was
+  /// not finite in this tick or is failed for good.
+  unsigned effort_lost() const RT_SAFE { return effort_lost_; }
+  unsigned hold_lost() const RT_SAFE { return hold_lost_; }
+
+ private:
+  struct Item {  // what every tick reads
+    Component* component = nullptr;
+    bool plain = true;  // steps in every tick, and nothing of what follows applies
+  };
+  struct Special {  // the rest of it, for the few that need it
+    std::int64_t next_due = 0;
+    std::int64_t last = -1;  // tick of its last step
+    bool failed = false;
+    ResistOnly remainder{};
+    Vector3* force = nullptr;  // that it renders at a site
+    Vector3* moment = nullptr;
+    const Vector3* velocity = nullptr;
+  };
+
+  void find_site_force(const Component& component, Special& special) const;
+  Tick own_tick(const Tick& tick, std::int64_t last, std::int64_t divider) const RT_SAFE;
+  void step_plain(std::size_t i, Component* component, const Tick& own) RT_SAFE;
+  bool step_special(std::size_t i, const Tick& tick) RT_SAFE;
+  void give_up(std::size_t i, const Tick& tick) RT_SAFE;
+  void fade(Special& special, const Tick& tick) RT_SAFE;
+  void look_through(const Tick& tick) RT_SAFE;
+  void find_not_finite(const Tick& tick) RT_SAFE;
+
+  const WiredGraph& graph_;
+  FaultLatch& faults_;
+  std::vector<Item> items_;        // in the order of the schedule
+  std::vector<Special> specials_;  // likewise
+  std::int64_t last_tick_ = -1;
+  unsigned effort_lost_ = 0;  // in this tick
+  unsigned hold_lost_ = 0;
+  unsigned effort_failed_ = 0;  // for good
+  unsigned hold_failed_ = 0;
+};
+
+}  // namespace trocar
