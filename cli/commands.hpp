@@ -15,8 +15,11 @@ enum ExitStatus : int {
   misused = 2  // wrong usage, or a broken script
 };
 
+void add_bench(CLI::App& app, int& status);
 void add_check(CLI::App& app, int& status);
+void add_completion(CLI::App& app, int& status);
 void add_describe(CLI::App& app, int& status);
+void add_graph(CLI::App& app, int& status);
 void add_info(CLI::App& app, int& status);
 void add_kinematics(CLI::App& app, int& status);
 void add_list(CLI::App& app, int& status);

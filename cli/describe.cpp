@@ -39,7 +39,9 @@ void add_describe(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("describe", "Explain a component: its inputs, outputs and parameters");
   const auto options = std::make_shared<Options>();
-  command->add_option("NAME", options->name, "Component as scripts call it, e.g. Wall")->required();
+  command->add_option("NAME", options->name, "Component as scripts call it, e.g. Wall")
+      ->required()
+      ->type_name("COMPONENT");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example:\n  trocar describe Wall");
   command->callback([options, &status] { status = describe_one(*options); });

@@ -19,13 +19,7 @@ void set_signature(Description::Port& port, const std::optional<Signature>& sign
   }
   port.type = signature->type->name;
   port.frame = signature->frame;
-  std::vector<std::string> symbols;
-  bool any = false;
-  for (const Unit& unit : signature->units) {
-    any = any || !unit.symbol.empty();
-    symbols.push_back(unit.symbol.empty() ? "1" : unit.symbol);
-  }
-  if (any) port.unit = join(symbols, ", ");
+  port.unit = signature->unit_text();
 }
 
 Description::Port port_of(const Port& port) {

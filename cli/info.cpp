@@ -65,7 +65,8 @@ void add_info(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("info", "Tell what a log holds");
   const auto options = std::make_shared<Options>();
   command->add_option("LOG", options->file, "Log in MCAP format, from Trocar or anybody else")
-      ->required();
+      ->required()
+      ->type_name("FILE.mcap");
   CLI::Option* signals =
       command->add_option("--signals", options->pattern, "Print the signals' values")
           ->expected(0, 1)

@@ -6,19 +6,24 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "components/register.hpp"
+#include "framework/text.hpp"
 
 namespace trocar::cli {
 
 void add_list(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("list", "List the components that a script can use");
   const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "Print JSON");
+  const auto names = std::make_shared<bool>(false);
+  CLI::Option* as_json = command->add_flag("--json", *json, "Print JSON");
+  command->add_flag("--names", *names, "Print the names alone, one a line")->excludes(as_json);
   command->footer("Example:\n  trocar list");
-  command->callback([json, &status] {
+  command->callback([json, names, &status] {
     Registry registry;
     register_components(registry);
     if (*json)
       print_json(catalogue_json(registry));
+    else if (*names)
+      print(join(registry.names(), "\n") + "\n");
     else
       print(catalogue_text(registry));
     status = success;

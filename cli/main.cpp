@@ -14,10 +14,13 @@ int run(int argc, char** argv) {
   set_up(app);
   add_run(app, status);
   add_check(app, status);
+  add_graph(app, status);
   add_list(app, status);
   add_describe(app, status);
   add_info(app, status);
   add_kinematics(app, status);
+  add_bench(app, status);
+  add_completion(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

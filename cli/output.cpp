@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -33,6 +34,14 @@ void print(std::string_view text) {
 
 void print_json(const nlohmann::ordered_json& json) {
   print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+}
+
+void write_output(const std::string& path, std::string_view text) {
+  if (path == "-") return print(text);
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.flush();
+  if (!file) throw std::runtime_error("cannot write " + in_quotes(path));
 }
 
 bool output_open() {

@@ -15,6 +15,9 @@ void ignore_broken_pipes();
 void print(std::string_view text);
 /// Indented, with a line's end. Text that is no UTF-8 is mended.
 void print_json(const nlohmann::ordered_json& json);
+/// To a file, or to standard output for "-".
+/// @throw std::runtime_error when the file cannot be written
+void write_output(const std::string& path, std::string_view text);
 /// Whether whoever reads standard output is still there.
 bool output_open();
 

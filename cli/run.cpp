@@ -30,6 +30,7 @@ struct RunArguments {
   std::string duration;
   std::string clock = "realtime";
   std::optional<std::string> record;
+  std::string black_box;
   std::string json;
 };
 
@@ -50,17 +51,11 @@ SessionOptions session_options(const RunArguments& arguments) {
   if (arguments.record) options.record = arguments.record;
   arguments.wait.apply(options.timing);
   arguments.overload.apply(options.timing);
+  if (arguments.black_box != "off") options.black_box = BlackBoxOptions{};
+  if (options.black_box && !arguments.black_box.empty())
+    options.black_box->file = arguments.black_box;
   options.print_to_stderr = arguments.json == "-";
   return options;
-}
-
-/// To a file, or to standard output for "-".
-void write_json(const std::string& path, const std::string& text) {
-  if (path == "-") return print(text);
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.flush();
-  if (!file) throw std::runtime_error(fmt::format("cannot write the report \"{}\"", path));
 }
 
 int run(const RunArguments& arguments) {
@@ -80,15 +75,13 @@ int run(const RunArguments& arguments) {
     run_script(session, arguments.script.script, std::move(script_arguments));
   } catch (const BrokenGraph& broken) {
     session.finish();
-    complain(fmt::format("{} {}:\n{}", broken.findings.all().size(),
-                         broken.findings.all().size() == 1 ? "mistake" : "mistakes",
-                         broken.findings.text()));
+    complain(mistakes_text(broken.findings));
     status = misused;
   }
   session.finish();
   if (status == success && !session.sound()) status = failed;
   if (arguments.json != "-" && !session.runs().empty()) print(report_text(session));
-  if (!arguments.json.empty()) write_json(arguments.json, report_json(session));
+  if (!arguments.json.empty()) write_output(arguments.json, report_json(session));
   return status;
 }
 
@@ -105,10 +98,17 @@ void add_run(CLI::App& app, int& status) {
   arguments->wait.add_to(*command);
   arguments->overload.add_to(*command);
   command->add_option("--record", arguments->record, "Write an MCAP log to this file")
-      ->check(check_file_name);
+      ->check(check_file_name)
+      ->type_name("FILE.mcap");
   command
       ->add_option("--json", arguments->json, "Write the report as JSON to this file, - for stdout")
-      ->check(check_file_name);
+      ->check(check_file_name)
+      ->type_name("FILE");
+  command
+      ->add_option("--black-box", arguments->black_box,
+                   "Where the last 5 s before a fault are written, or off (default: beside the "
+                   "log or after the script, NAME.blackbox-1.mcap)")
+      ->type_name("FILE.mcap|off");
   command->footer(
       "Example:\n"
       "  trocar run scripts/tutorial/01_feel_a_wall.lua --for 5s --clock simulated\n"

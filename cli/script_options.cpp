@@ -14,7 +14,7 @@ constexpr std::size_t most_digits = 15;  // what JSON's numbers hold, and CLI11 
 }  // namespace
 
 void ScriptOptions::add_to(CLI::App& command) {
-  command.add_option("script", script, "The Lua script")->required();
+  command.add_option("script", script, "The Lua script")->required()->type_name("FILE.lua");
   command
       .add_option(
           "--set", settings,
@@ -44,6 +44,11 @@ void ScriptOptions::split(Graph::Overrides& parameters, Graph::Overrides& argume
 
 std::string check_file_name(const std::string& text) {
   return text.empty() ? "needs a file name, not \"\"" : "";
+}
+
+std::string mistakes_text(const Findings& findings) {
+  const std::size_t count = findings.all().size();
+  return fmt::format("{} {}:\n{}", count, count == 1 ? "mistake" : "mistakes", findings.text());
 }
 
 double duration_of(const std::string& text, const std::string& option) {

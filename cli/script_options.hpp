@@ -10,7 +10,7 @@
 
 namespace trocar::cli {
 
-/// What `run` and `check` have in common: the script, --set and --seed.
+/// What `run`, `check` and `graph` have in common: the script, --set and --seed.
 struct ScriptOptions {
   std::string script;
   std::vector<std::string> settings;  // of --set, "key=value"
@@ -24,6 +24,9 @@ struct ScriptOptions {
 
 /// A check for options that take a file's name: what is wrong, or "".
 std::string check_file_name(const std::string& text);
+
+/// "2 mistakes:" and a line for each.
+std::string mistakes_text(const Findings& findings);
 
 /// "5s", "200 ms" and "1.5 min" in seconds.
 /// @throw CLI::ValidationError with what is allowed

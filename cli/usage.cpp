@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "framework/text.hpp"
+#include "framework/version.hpp"
 
 namespace trocar::cli {
 namespace {
@@ -65,7 +66,7 @@ std::string explain(const CLI::App& command, const std::string& word,
 }  // namespace
 
 void set_up(CLI::App& app) {
-  app.set_version_flag("--version", "trocar " TROCAR_VERSION, "Print the version and exit");
+  app.set_version_flag("--version", "trocar " + version(), "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.get_formatter()->column_width(28);
   app.require_subcommand(1);

@@ -16,6 +16,7 @@
 #include "components/sources/sine.hpp"
 #include "components/sources/staircase.hpp"
 #include "components/sources/step.hpp"
+#include "framework/capture.hpp"
 #include "framework/logger.hpp"
 
 namespace trocar {
@@ -35,6 +36,8 @@ void register_components(Registry& registry) {
   registry.add<Spring>("Spring", "fixtures", "A spring-damper that pulls to a centre");
   registry.add<Wall>("Wall", "fixtures", "A flat spring-damper wall that never pulls in");
 
+  registry.add<Capture>("Capture", "recording",
+                        "Records around the moment when a signal crosses a value");
   registry.add<Logger>("Logger", "recording", "Says where a session is recorded, and what of it");
 
   registry.add<Chirp>("Chirp", "sources", "A sine whose frequency moves from one to another");

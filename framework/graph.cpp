@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "framework/text.hpp"
 
 namespace trocar {
@@ -52,6 +54,22 @@ std::string Graph::rename_thread(ThreadId thread, std::string_view name) {
       return fmt::format("\"{}\" is the name of another thread already", name);
   threads_[thread].name = name;
   return "";
+}
+
+std::optional<NodeId> Graph::group_of(NodeId id) const {
+  std::string_view name = nodes_[id].name;
+  for (auto dot = name.rfind('.'); dot != std::string_view::npos; dot = name.rfind('.')) {
+    name = name.substr(0, dot);
+    if (const auto outer = find(name); outer && nodes_[*outer].is_group()) return outer;
+  }
+  return std::nullopt;
+}
+
+const Graph::Link* Graph::link_to(const ParameterRef& parameter) const {
+  const auto last = std::find_if(links_.rbegin(), links_.rend(), [&](const Link& link) {
+    return link.to.node == parameter.node && link.to.name == parameter.name;
+  });
+  return last == links_.rend() ? nullptr : &*last;
 }
 
 std::optional<std::string> Graph::free_name(std::string_view type, std::string_view name,

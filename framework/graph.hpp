@@ -140,6 +140,10 @@ class Graph {
   Node& node(NodeId id) { return nodes_[id]; }
   std::size_t size() const { return nodes_.size(); }
   std::optional<NodeId> find(std::string_view name) const;
+  /// The innermost group that a node is a part of.
+  std::optional<NodeId> group_of(NodeId node) const;
+  /// What a parameter follows, or null.
+  const Link* link_to(const ParameterRef& parameter) const;
   const std::vector<Wire>& wires() const { return wires_; }
   const std::vector<Link>& links() const { return links_; }
   const Findings& findings() const { return findings_; }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "framework/component.hpp"
@@ -48,6 +49,12 @@ std::string Signature::text() const {
   result += " [" + list(units) + "]";
   if (!frame.empty()) result += " in " + frame;
   return result;
+}
+
+std::string Signature::unit_text() const {
+  const bool any = std::any_of(units.begin(), units.end(),
+                               [](const Unit& unit) { return !unit.symbol.empty(); });
+  return any ? list(units) : "";
 }
 
 std::string mismatch(const Signature& source, const Signature& target) {

@@ -26,6 +26,8 @@ struct Signature {
 
   /// "Vector3 [N] in device"
   std::string text() const;
+  /// The units alone: "N, N m"; "" where there is none.
+  std::string unit_text() const;
 };
 
 /// Why a value of `source` cannot be read as `target`, or "" when it can.

@@ -162,6 +162,15 @@ std::string faults_text(const RunResult& result) {
   return text;
 }
 
+std::string captures_text(const CaptureResult& captured) {
+  std::string text;
+  for (const TriggeredFile& file : captured.files)
+    text += fmt::format("  {}: {}, {:.3f} s to {:.3f} s: {}\n", file.writer, file.path, file.from,
+                        file.to, file.cause);
+  for (const std::string& note : captured.notes) text += "  " + note + "\n";
+  return text;
+}
+
 std::string run_text(const SessionRun& run) {
   const RunResult& result = run.result;
   return fmt::format(
@@ -171,7 +180,7 @@ std::string run_text(const SessionRun& run) {
              result.clock == ClockKind::simulated ? "virtual" : "real", result.wall_time,
              result.wall_time > 0.0 ? result.duration / result.wall_time : 0.0) +
          moments_text(run.highlights) + peaks_text(run.highlights) + threads_text(result) +
-         faults_text(result);
+         faults_text(result) + captures_text(run.captured);
 }
 
 /// One of several runs: a line, and what went wrong.
@@ -185,7 +194,8 @@ std::string short_run_text(const SessionRun& run, std::size_t number) {
   if (result.interrupted) text += ", stopped by the operator";
   const bool sound = result.faults.empty() && result.shortcomings.empty() && result.lost.empty() &&
                      result.missed.empty();
-  return text + (sound ? ", no faults\n" : "\n" + faults_text(result));
+  return text + (sound ? ", no faults\n" : "\n" + faults_text(result)) +
+         captures_text(run.captured);
 }
 
 std::string cell_text(const Literal& value) {

@@ -74,6 +74,18 @@ Json thread_json(const ThreadResult& thread) {
           {"components", components}};
 }
 
+Json captured(const CaptureResult& all) {
+  Json list = Json::array();
+  for (const TriggeredFile& file : all.files)
+    list.push_back({{"by", file.writer},
+                    {"file", file.path},
+                    {"cause", file.cause},
+                    {"from", file.from},
+                    {"to", file.to},
+                    {"rows", file.rows}});
+  return list;
+}
+
 Json run_json(const SessionRun& run) {
   const RunResult& result = run.result;
   Json threads = Json::array();
@@ -93,7 +105,9 @@ Json run_json(const SessionRun& run) {
               {"faults", faults(result)},
               {"shortcomings", result.shortcomings},
               {"lost", result.lost},
-              {"missed", missed(result)}});
+              {"missed", missed(result)},
+              {"captured", captured(run.captured)},
+              {"notes", run.captured.notes}});
   return all;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 #include "framework/graph_json.hpp"
 #include "framework/literal_json.hpp"
@@ -38,7 +39,7 @@ bool wants(std::string_view pattern, std::string_view port) {
 }  // namespace
 
 Session::Session(const Registry& registry, SessionOptions options)
-    : options_(std::move(options)), graph_(registry) {
+    : options_(std::move(options)), graph_(registry), captures_(options_.black_box) {
   graph_.overrides = options_.set;
 }
 
@@ -62,17 +63,42 @@ RowLayout::Selection Session::selection() const {
   };
 }
 
-void Session::open_log() {
+/// @param wired the graph as its first run has it; null where nothing ran
+void Session::open_log(const WiredGraph* wired) {
   if (log_opened_) return;
   log_opened_ = true;
-  const Logger* logger = find_logger(graph_);
-  if (!options_.record && logger == nullptr) return;
-  log_path_ = options_.record ? *options_.record : *logger->file;
+  if (!options_.record && find_logger(graph_) == nullptr) return;
+  log_path_ = wanted_log();
   log_ =
       std::make_unique<LogFile>(log_path_, options_.clock == ClockKind::simulated ? 0 : date_ns());
   for (const auto& [name, text] : scripts_) log_->attach(name, "text/x-lua", text);
-  log_->attach("graph.json", "application/json", graph_json(graph_));
+  log_->attach("graph.json", "application/json", graph_json(graph_, wired));
   for (const Published& one : published_) log_->publish(one.name, literal_json(one.row));
+}
+
+/// Where it is to be recorded, or "".
+std::string Session::wanted_log() const {
+  const Logger* logger = find_logger(graph_);
+  return options_.record ? *options_.record : logger != nullptr ? *logger->file : "";
+}
+
+/// What the black box is named after: the log, else the script.
+std::string Session::stem() const {
+  if (!log_path_.empty()) return std::filesystem::path(log_path_).replace_extension().string();
+  return scripts_.empty() ? "trocar"
+                          : std::filesystem::path(scripts_.front().first).stem().string();
+}
+
+std::vector<RowSink*> Session::begin_captures(const WiredGraph& wired) {
+  if (!captures_.wanted(graph_)) return {};
+  SessionCaptures::Run run{.graph = graph_, .stem = stem()};
+  if (log_)
+    run.epoch_ns = log_->start_ns();
+  else if (options_.clock == ClockKind::realtime)
+    run.epoch_ns = date_ns();
+  for (const auto& [name, text] : scripts_) run.attachments.push_back({name, "text/x-lua", text});
+  run.attachments.push_back({"graph.json", "application/json", graph_json(graph_, &wired)});
+  return captures_.begin(run);
 }
 
 const SessionRun& Session::run(RunOptions wanted) {
@@ -84,12 +110,15 @@ const SessionRun& Session::run(RunOptions wanted) {
   if (options_.seed) wanted.wiring.seed = *options_.seed;
   wanted.stop = options_.stop;
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);
-  Findings findings = check(graph_, wanted.wiring);
+  const std::unique_ptr<WiredGraph> wired = wire(graph_, wanted.wiring);  // before a log is begun
   if (const std::string wrong = check_spin(wanted, graph_);
-      wanted.clock == ClockKind::realtime && !wrong.empty())
+      wanted.clock == ClockKind::realtime && !wrong.empty()) {
+    Findings findings;
     findings.add({"--spin", 0}, wrong);
-  if (!findings.empty()) throw BrokenGraph(findings);  // before a log is begun
-  open_log();
+    throw BrokenGraph(findings);
+  }
+  captures_.check_files(graph_, wanted_log());
+  open_log(wired.get());
   if (log_)
     try_log([&] {
       log_->attach(fmt::format("run{}.json", runs_.size() + 1), "application/json",
@@ -102,8 +131,12 @@ const SessionRun& Session::run(RunOptions wanted) {
     recorder = std::make_unique<Recorder>(*log_, selection());
     wanted.sinks.push_back(recorder.get());
   }
+  const std::vector<RowSink*> captures = begin_captures(*wired);
+  wanted.sinks.insert(wanted.sinks.end(), captures.begin(), captures.end());
   if (options_.progress != nullptr) wanted.sinks.push_back(options_.progress);
   one->result = trocar::run(graph_, wanted);
+  one->captured = captures_.end();
+  for (const std::string& message : one->captured.troubles) trouble(message);
   runs_.push_back(std::move(one));
   return *runs_.back();
 }
@@ -114,7 +147,7 @@ void Session::publish(std::string name, Literal row) {
 }
 
 void Session::finish() {
-  if (!published_.empty()) try_log([&] { open_log(); });
+  if (!published_.empty()) try_log([&] { open_log(nullptr); });
   if (log_) try_log([&] { log_->close(); });
 }
 
@@ -123,9 +156,13 @@ void Session::try_log(const std::function<void()>& write) {
   try {
     write();
   } catch (const std::runtime_error& error) {
-    if (std::find(troubles_.begin(), troubles_.end(), error.what()) == troubles_.end())
-      troubles_.emplace_back(error.what());
+    trouble(error.what());
   }
+}
+
+void Session::trouble(const std::string& message) {
+  if (std::find(troubles_.begin(), troubles_.end(), message) == troubles_.end())
+    troubles_.push_back(message);
 }
 
 bool Session::sound() const {

@@ -11,6 +11,7 @@
 #include "framework/highlights.hpp"
 #include "framework/recording/log_file.hpp"
 #include "framework/run.hpp"
+#include "framework/session_captures.hpp"
 
 namespace trocar {
 
@@ -18,13 +19,14 @@ namespace trocar {
 struct SessionOptions {
   ClockKind clock = ClockKind::realtime;
   LoopTiming timing{};
-  std::optional<double> duration{};     // [s] --for
-  double default_duration = 10.0;       // [s] in virtual time, where nobody says
-  std::optional<std::uint64_t> seed{};  // --seed
-  std::optional<std::string> record{};  // --record
-  Graph::Overrides set{};               // --set
-  bool check_only = false;              // stop at the first run
-  bool print_to_stderr = false;         // what the script prints
+  std::optional<double> duration{};            // [s] --for
+  double default_duration = 10.0;              // [s] in virtual time, where nobody says
+  std::optional<std::uint64_t> seed{};         // --seed
+  std::optional<std::string> record{};         // --record
+  Graph::Overrides set{};                      // --set
+  std::optional<BlackBoxOptions> black_box{};  // --black-box
+  bool check_only = false;                     // stop at the first run
+  bool print_to_stderr = false;                // what the script prints
   const StopFlag* stop = nullptr;
   RowSink* progress = nullptr;
 };
@@ -39,6 +41,7 @@ struct Published {
 struct SessionRun {
   RunResult result;
   Highlights highlights;
+  CaptureResult captured{};
 };
 
 /// What a script asked for and what came of it. A script describes a graph and may run it several
@@ -68,7 +71,11 @@ class Session {
   bool sound() const;
 
  private:
-  void open_log();
+  void open_log(const WiredGraph* wired);
+  std::string wanted_log() const;
+  std::vector<RowSink*> begin_captures(const WiredGraph& wired);
+  std::string stem() const;
+  void trouble(const std::string& message);
   void try_log(const std::function<void()>& write);
   RowLayout::Selection selection() const;
 
@@ -78,6 +85,7 @@ class Session {
   std::unique_ptr<LogFile> log_;
   std::string log_path_;
   bool log_opened_ = false;
+  SessionCaptures captures_;
   std::vector<std::unique_ptr<SessionRun>> runs_;
   std::vector<Published> published_;
   std::vector<std::string> troubles_;

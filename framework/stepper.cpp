@@ -2,10 +2,28 @@
 #include "framework/stepper.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "framework/clock.hpp"
 
 namespace trocar {
+namespace {
+
+/// Not finite where any of the numbers is not, since no addition makes an infinity or a NaN finite
+/// again. A sum of finite numbers that overflows costs a search in vain. Eight lanes, so that no
+/// addition waits for the one before.
+double sum(std::span<const double> numbers) RT_SAFE {
+  using Lanes = Eigen::Array<double, 8, 1>;
+  Lanes sums = Lanes::Zero();
+  std::size_t n = 0;
+  for (; n + 8 <= numbers.size(); n += 8)
+    sums += Eigen::Map<const Lanes, Eigen::Aligned16>(&numbers[n]);
+  double total = sums.sum();
+  for (; n < numbers.size(); ++n) total += numbers[n];
+  return total;
+}
+
+}  // namespace
 
 Stepper::Stepper(const RateGroup& group, FaultLatch& faults) : group_(group), faults_(faults) {
   for (const ScheduleItem& item : group.schedule()) {
@@ -31,15 +49,19 @@ void Stepper::find_site_force(const Component& component, Special& special) cons
   special.velocity = reinterpret_cast<const Vector3*>(source.output->data() + source.offset);
 }
 
+inline void Stepper::step_plain(std::size_t i, Component* component, const Tick& own) RT_SAFE {
+  component->step(own);
+  if (component->failure() != nullptr) give_up(i, own);
+}
+
 void Stepper::step(const Tick& tick) RT_SAFE {
   const Tick every = own_tick(tick, last_tick_, 1);
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (!items_[i].plain) {
+  const std::span<const Item> items = items_;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].plain)
+      step_plain(i, items[i].component, every);
+    else
       step_special(i, tick);
-      continue;
-    }
-    items_[i].component->step(every);
-    if (items_[i].component->failure() != nullptr) give_up(i, tick);
   }
   look_through(tick);
 }
@@ -49,8 +71,7 @@ void Stepper::step(const Tick& tick, const StepTimes& times) RT_SAFE {
   std::int64_t before = monotonic_ns();
   for (std::size_t i = 0; i < items_.size(); ++i) {
     if (items_[i].plain) {
-      items_[i].component->step(every);
-      if (items_[i].component->failure() != nullptr) give_up(i, tick);
+      step_plain(i, items_[i].component, every);
     } else if (!step_special(i, tick)) {
       times.latest[i] = 0;
       continue;
@@ -68,7 +89,7 @@ Tick Stepper::own_tick(const Tick& tick, std::int64_t last, std::int64_t divider
   const double period = group_.period() * static_cast<double>(divider);
   Tick own = tick;
   own.dt = period;
-  if (last >= 0)
+  if (last >= 0 && tick.index - last != divider)
     own.dt = std::clamp(static_cast<double>(tick.index - last) * group_.period(), 0.5 * period,
                         2.0 * period);
   return own;
@@ -131,12 +152,13 @@ void Stepper::look_through(const Tick& tick) RT_SAFE {
   effort_lost_ = effort_failed_;
   hold_lost_ = hold_failed_;
   crossing_lost_ = crossing_failed_;
-  if (!all_finite(group_.numbers())) find_not_finite(tick);
+  if (!std::isfinite(sum(group_.numbers()))) find_not_finite(tick);
 }
 
 void Stepper::find_not_finite(const Tick& tick) RT_SAFE {
   for (const ScheduleItem& item : group_.schedule()) {
-    if (all_finite(group_.numbers().subspan(item.begin, item.end - item.begin))) continue;
+    const auto own = group_.numbers().subspan(item.begin, item.end - item.begin);
+    if (std::all_of(own.begin(), own.end(), [](double x) { return std::isfinite(x); })) continue;
     faults_.raise({.cause = FaultCause::not_finite,
                    .component = item.component->name().c_str(),
                    .detail = "an output",
@@ -146,18 +168,6 @@ void Stepper::find_not_finite(const Tick& tick) RT_SAFE {
     hold_lost_ |= item.reaches_hold;
     crossing_lost_ |= item.reaches_crossing;
   }
-}
-
-/// x·0 is 0 for finite numbers and NaN for the others, which no sum loses again. Eight lanes, so
-/// that no addition waits for the one before.
-bool all_finite(std::span<const double> numbers) RT_SAFE {
-  using Lanes = Eigen::Array<double, 8, 1>;
-  Lanes sums = Lanes::Zero();
-  std::size_t n = 0;
-  for (; n + 8 <= numbers.size(); n += 8) sums += Lanes::Map(&numbers[n]) * 0.0;
-  double sum = sums.sum();
-  for (; n < numbers.size(); ++n) sum += numbers[n] * 0.0;
-  return sum == 0.0;
 }
 
 }  // namespace trocar

@@ -59,6 +59,7 @@ class Stepper {
 
   void find_site_force(const Component& component, Special& special) const;
   Tick own_tick(const Tick& tick, std::int64_t last, std::int64_t divider) const RT_SAFE;
+  void step_plain(std::size_t i, Component* component, const Tick& own) RT_SAFE;
   bool step_special(std::size_t i, const Tick& tick) RT_SAFE;
   void give_up(std::size_t i, const Tick& tick) RT_SAFE;
   void fade(Special& special, const Tick& tick) RT_SAFE;
@@ -77,8 +78,5 @@ class Stepper {
   unsigned hold_failed_ = 0;
   std::uint64_t crossing_failed_ = 0;
 };
-
-/// Whether none of the numbers is infinite or NaN.
-bool all_finite(std::span<const double> numbers) RT_SAFE;
 
 }  // namespace trocar

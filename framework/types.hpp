@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "framework/abi.hpp"
+
 /// @file
 /// The values that ports carry. Each is a trivially copyable struct of fixed size with Eigen views
 /// (Eigen's own matrices are not trivially copyable), so that a value is copied by memcpy into

@@ -41,6 +41,7 @@ Wiring::Wiring(const Graph& graph, const WiringOptions& options)
 
 std::unique_ptr<WiredGraph> Wiring::build() {
   instantiate();
+  settle_threads();
   apply_settings();
   follow_links();
   require_parameters();

@@ -59,6 +59,7 @@ class Wiring {
   void connect();
   void configure();
   void check_limits();
+  void settle_threads();
   /// [Hz] of the thread that a node belongs to.
   double thread_rate(NodeId node) const;
   RateGroup& group_of(NodeId node) { return result_->groups_[group_index_[node]]; }
@@ -72,6 +73,7 @@ class Wiring {
   std::vector<ResolvedWire> wires_;
   std::vector<std::vector<std::size_t>> wires_of_;  // by node, either end: index of wires_
   std::unordered_map<const InputPort*, std::vector<std::size_t>> wires_into_;  // index of wires_
+  std::vector<ThreadId> thread_of_;                                            // by node
   std::vector<NodeId> order_;                                                  // of all threads
   std::vector<std::size_t> position_;                                          // by node, in order_
   std::vector<std::size_t> group_index_;                                       // by node

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/wiring.hpp"
@@ -20,17 +21,32 @@ bool is_number(const Signature& signature) {
 
 }  // namespace
 
+/// What has no ports does nothing in the loop, a Logger say, and needs no thread of its own.
+void Wiring::settle_threads() {
+  const auto has_ports = [&](NodeId id) {
+    const Component* component = result_->components_[id].get();
+    return component != nullptr && !(component->inputs().empty() && component->outputs().empty());
+  };
+  std::optional<ThreadId> first;
+  for (NodeId id = 0; id < graph_.size(); ++id) {
+    thread_of_.push_back(graph_.node(id).thread);
+    if (has_ports(id)) first = std::min(first.value_or(thread_of_[id]), thread_of_[id]);
+  }
+  for (NodeId id = 0; id < graph_.size(); ++id)
+    if (first && !has_ports(id)) thread_of_[id] = *first;
+}
+
 double Wiring::thread_rate(NodeId node) const {
-  const double own = graph_.threads()[graph_.node(node).thread].rate;
+  const double own = graph_.threads()[thread_of_[node]].rate;
   return own > 0.0 ? own : options_.rate;
 }
 
 void Wiring::check_connections() {
   for (const ResolvedWire& wire : wires_) {
     const auto thread_of = [&](NodeId node) -> const std::string& {
-      return graph_.threads()[graph_.node(node).thread].name;
+      return graph_.threads()[thread_of_[node]].name;
     };
-    const bool crosses = graph_.node(wire.from_node).thread != graph_.node(wire.to_node).thread;
+    const bool crosses = thread_of_[wire.from_node] != thread_of_[wire.to_node];
     const double own_rate = graph_.node(wire.from_node).rate;
     const double value_rate = own_rate > 0.0 ? own_rate : thread_rate(wire.from_node);
     const std::string source = wire.text().substr(0, wire.text().find(" →"));
@@ -68,7 +84,7 @@ void Wiring::make_groups() {
     RateGroup group;
     for (const NodeId id : order_) {
       const Graph::Node& node = graph_.node(id);
-      if (node.thread != thread) continue;
+      if (thread_of_[id] != thread) continue;
       group_index_[id] = result_->groups_.size();
       item_index_[id] = group.schedule_.size();
       const double divider = node.rate == 0.0 ? 1.0 : std::round(thread_rate(id) / node.rate);

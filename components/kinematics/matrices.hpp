@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "framework/abi.hpp"
+
 namespace trocar {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "framework/abi.hpp"
 #include "framework/realtime/rt_safe.hpp"
 
 namespace trocar {

@@ -20,6 +20,7 @@ class LogFile {
   LogFile(const std::string& path, std::uint64_t epoch_ns);
 
   const std::string& path() const { return path_; }
+  std::uint64_t start_ns() const { return start_ns_; }  // of the run that begins next
   void attach(std::string_view name, std::string_view media_type, std::string_view content);
   /// A result that a script published; `json` is one object.
   void publish(std::string_view name, std::string_view json);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "framework/version.hpp"
+
 namespace trocar {
 namespace {
 
@@ -23,7 +25,7 @@ std::span<const std::byte> span_of(const Bytes& bytes) {
 }  // namespace
 
 std::string McapWriter::default_library() {
-  return "trocar " TROCAR_VERSION;
+  return "trocar " + version();
 }
 
 McapWriter::McapWriter(const std::string& path, Settings settings)

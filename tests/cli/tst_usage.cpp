@@ -23,11 +23,15 @@ class TestUsage : public QObject {
     row("version", {"--version"}, 0, "trocar 0.", "");
     row("help names the commands", {"--help"}, 0, "kinematics", "");
     row("help of a command has an example", {"list", "--help"}, 0, "Example:\n  trocar list", "");
+    row("of graph", {"graph", "--help"}, 0, "Example:\n  trocar graph scripts/", "");
+    row("of completion", {"completion", "--help"}, 0, "source <(trocar completion bash)", "");
+    row("names alone", {"list", "--names"}, 0, "\nWall\n", "");
     row("of describe", {"describe", "--help"}, 0, "Example:\n  trocar describe Wall", "");
     row("of info", {"info", "--help"}, 0, "Example:\n  trocar info demo.mcap", "");
+    row("of bench", {"bench", "--help"}, 0, "Example:\n  trocar bench --rates", "");
     row("of kinematics", {"kinematics", "--help"}, 0, "Example:\n  trocar kinematics fk", "");
     row("of a question", {"kinematics", "ik", "--help"}, 0, "| trocar kinematics ik", "");
-    row("no command", {}, 2, "", "trocar: a command is needed: run, check, list, describe");
+    row("no command", {}, 2, "", "trocar: a command is needed: run, check, graph, list, describe");
     row("an unknown command", {"lsit"}, 2, "",
         "trocar: there is no command \"lsit\", did you mean \"list\"?");
     row("an unknown option", {"list", "--jsn"}, 2, "",

@@ -119,6 +119,7 @@ std::unique_ptr<WiredGraph> alone(const Registry& registry, const std::string& t
     if (const auto value = plausible(*parameter))
       graph.set({node, parameter->name()}, *value, where);
   }
+  if (type == "Capture") graph.set({node, "above"}, {1.0}, where);  // or below: one of two
   for (const InputPort* input : component.inputs()) {
     if (const auto device = device_for(registry, *input)) {
       const NodeId source = *graph.add(*device, "device_of_" + input->name(), where);

@@ -48,6 +48,8 @@ row "an atomic in a component"         includes "belongs in framework/realtime" 
 row "a thread in the recorder"         includes "belongs in framework/realtime" framework/recording/a.cpp '#include <thread>'
 row "a mutex in the window"            includes "belongs in framework/realtime" gui/a.cpp '#include <mutex>'
 row "the standard library"             includes accepts framework/a.hpp '#include <vector>'
+row "a header beside it"               includes "from the repository's root" tests/a.cpp '#include "ball.hpp"'
+row "the same in an outside project"   includes accepts tests/package/ball/main.cpp '#include "ball.hpp"'
 
 work=wor home=hom registry=registry.npmjs
 row "a path of the repository"   places accepts a.md 'see framework/work/a.hpp and /usr/include'
@@ -55,5 +57,13 @@ row "a machine's path"           places "name a machine's path" a.md "see /${wor
 row "a person's folder"          places "name a machine's path" a.md "see /${home}e/somebody"
 row "a registry in a lockfile"   places "name a machine's path" package-lock.json "\"resolved\": \"https://${registry}.org/a\""
 row "a lockfile without hosts"   places accepts package-lock.json '"integrity": "sha512-abc"'
+
+mkdir "$folder/code"
+printf 'one\n\ntwo\n' >"$folder/code/file.txt"
+row "a document shows a file"      snippets accepts a.md $'<!-- file: code/file.txt -->\n```\none\n\ntwo\n```\nthree'
+row "a document shows another"     snippets "is not code/file.txt" docs/a.md $'<!-- file: code/file.txt -->\n```\none\n```'
+row "a document shows too much"    snippets "is not code/file.txt" a.md $'<!-- file: code/file.txt -->\n```\none\n\ntwo\n\n```'
+row "the file is not there"        snippets "is not code/none.txt" a.md $'<!-- file: code/none.txt -->\n```\none\n```'
+row "code that names no file"      snippets accepts a.md $'```\nfree\n```'
 
 [ $failures = 0 ]

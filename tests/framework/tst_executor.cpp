@@ -136,6 +136,19 @@ class TestExecutor : public QObject {
              static_cast<std::uint64_t>(expected.size()));
   }
 
+  void a_component_that_is_not_due_takes_no_time() {
+    ExecutorRig rig;
+    rig.graph.set_rate(rig.add("Puppet", "slow"), 500.0, 0, {"test", 1});
+    rig.wire();
+    rig.start();
+    for (std::int64_t i = 0; i < 2; ++i) rig.executor->tick({i, 0, 0}, false);
+    rig.drain();
+    std::int64_t time = -1;
+    std::memcpy(&time, rig.rows[1].data() + sizeof(RowHeader), sizeof time);
+    QCOMPARE(time, std::int64_t{0});
+    QCOMPARE(rig.executor->statistics().components[0].count(), std::uint64_t{1});
+  }
+
   void a_skipped_slot_costs_a_slow_component_no_turn() {
     ExecutorRig rig;
     rig.graph.set_rate(rig.add("Puppet", "slow"), 250.0, 0, {"test", 1});
@@ -280,6 +293,21 @@ class TestExecutor : public QObject {
     QCOMPARE(rig.executor->faults().size(), std::size_t{1});
     QCOMPARE(rig.executor->faults()[0].tick, std::int64_t{5});
     compare(rig.told(), {"0 started", "5 fault rendering: not finite", "5 gate arm: tripped"});
+  }
+
+  void what_is_huge_but_finite_is_no_fault() {
+    ArmRig rig;
+    rig.get("rendering").law = [](Puppet& self, const Tick&) {
+      *self.number = std::numeric_limits<double>::max();
+      (*self.effort)[0] = 0.5;
+    };
+    rig.get("gravity").law = [](Puppet& self, const Tick&) {
+      *self.number = std::numeric_limits<double>::max();
+    };
+    rig.start();
+    rig.run(3);
+    QCOMPARE(rig.rendered(), 0.5);
+    compare(rig.told(), {"0 started"});
   }
 
   void a_hold_that_is_not_finite_leaves_nothing() {

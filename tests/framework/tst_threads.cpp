@@ -2,6 +2,7 @@
 // Graphs of several threads: how values cross, in virtual and in real time, and what is refused.
 #include <limits>
 
+#include "framework/logger.hpp"
 #include "framework/loop_runner.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/run_rig.hpp"
@@ -282,6 +283,17 @@ class TestThreads : public QObject {
       }
     });
     QCOMPARE(allocations, 0);
+  }
+
+  void what_has_no_ports_makes_no_thread() {
+    Rig rig;
+    rig.types.add<Logger>("Logger", "test", "records");
+    rig.add(Graph::main_thread, "Logger");
+    rig.add(rig.thread("fast", 1000.0), "Counter");
+    const auto wired = wire(rig.graph, {});
+    QCOMPARE(wired->groups().size(), std::size_t{1});
+    QCOMPARE(wired->main().name(), std::string("fast"));
+    QCOMPARE(wired->main().schedule().size(), std::size_t{2});
   }
 
   void side_by_side_in_real_time() {

@@ -3,69 +3,24 @@
 #define QT_NO_KEYWORDS
 #include "framework/recording/log_file.hpp"
 
-#include <sys/resource.h>
-
 #include <QTemporaryDir>
 #include <QTest>
-#include <csignal>
-#include <map>
 
 #include "components/register.hpp"
 #include "framework/recording/mcap_reader.hpp"
-#include "framework/recording/ros2_decode.hpp"
+#include "tests/support/log_topic.hpp"
 #include "tests/support/mcap_records.hpp"
 #include "tests/support/run_rig.hpp"
+#include "tests/support/size_limit.hpp"
 
 using namespace trocar;
 using test::edit_of;
 using test::RunRig;
+using test::SizeLimit;
 using test::TestSink;
+using test::Topic;
 
 namespace {
-
-/// All messages of a topic: leaf → value, strings as text.
-struct Topic {
-  std::vector<std::map<std::string, double>> numbers;
-  std::vector<std::map<std::string, std::string>> texts;
-  std::vector<std::uint64_t> times;  // [ns]
-
-  Topic(const McapReader& log, std::string_view name) {
-    const McapChannel* channel = log.channel(name);
-    if (channel == nullptr) return;
-    const McapSchema& schema = log.schemas().at(channel->schema_id);
-    const Ros2Decoder decoder(schema.name, schema.data);
-    log.messages([&](const McapMessage& message) {
-      if (message.channel != channel->id) return;
-      times.push_back(message.log_time_ns);
-      numbers.emplace_back();
-      texts.emplace_back();
-      decoder.visit(message.payload, [&](const Ros2Leaf& leaf, const Ros2Value& value) {
-        if (const auto* text = std::get_if<std::string_view>(&value))
-          texts.back()[leaf.path] = *text;
-        else
-          numbers.back()[leaf.path] = as_double(value);
-      });
-    });
-  }
-};
-
-/// A limit of file size, so that a disk is full where a test wants it.
-class SizeLimit {
- public:
-  explicit SizeLimit(rlim_t bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~SizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
-  SizeLimit(const SizeLimit&) = delete;
-  SizeLimit& operator=(const SizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-};
 
 QByteArray log_of_the_laparoscope(const std::string& path, std::uint64_t seed) {
   Registry types;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cli/bench_loops.hpp"
+#include "cli/machine.hpp"
+
+namespace trocar::cli {
+
+/// The rounds of both loops at one rate, pair by pair.
+struct RateRounds {
+  double rate = 0.0;  // [Hz]
+  std::vector<LoopRound> bare{};
+  std::vector<LoopRound> trocar{};
+};
+
+/// What `trocar bench` measured, and where.
+struct BenchResult {
+  int rounds_wanted = 0;
+  double round_time = 0.0;  // [s]
+  LoopTiming timing{};
+  std::vector<RateRounds> rates{};
+  std::vector<MachineFact> machine{};
+  LoopGrants grants{};
+  std::string load;                         // while it was measured
+  std::vector<std::string> shortcomings{};  // of the machine, each once
+  bool interrupted = false;
+
+  bool empty() const;
+};
+
+/// The figures that are told of a loop's lateness.
+struct LatenessFigure {
+  const char* label;
+  const char* key;
+  double share;  // of all ticks that were not later; 1: the worst
+};
+inline constexpr std::array<LatenessFigure, 4> lateness_figures{{{"median", "p50", 0.5},
+                                                                 {"99 %", "p99", 0.99},
+                                                                 {"99.9 %", "p999", 0.999},
+                                                                 {"worst", "max", 1.0}}};
+
+/// [s] of one figure over the rounds.
+struct OverRounds {
+  double median = 0.0;
+  double least = 0.0;
+  double greatest = 0.0;
+};
+OverRounds over_rounds(const std::vector<LoopRound>& rounds, double share);
+
+/// All rounds of one loop together.
+struct LoopTotal {
+  TimingHistogram lateness{};
+  std::int64_t used = 0;  // slots
+  std::int64_t skipped = 0;
+  double spun = 0.0;    // of a processor, mean
+  double drift = 0.0;   // [periods] by which elapsed time differs from the slots, the largest
+  bool adds_up = true;  // in each round
+};
+LoopTotal total_of(const std::vector<LoopRound>& rounds);
+
+/// In words, for an operator.
+std::string bench_text(const BenchResult& result);
+/// For programs. Times in s, rates in Hz.
+std::string bench_json(const BenchResult& result);
+/// Histograms of all rounds: loop,rate_hz,lower_ns,upper_ns,count; both edges belong to the bin.
+std::string bench_csv(const BenchResult& result);
+
+}  // namespace trocar::cli
