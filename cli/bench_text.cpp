@@ -26,7 +26,8 @@ std::string rate_name(double rate) {
 std::string drift_text(const char* name, const std::vector<LoopRound>& rounds) {
   const LoopTotal total = total_of(rounds);
   const std::string sum = fmt::format("{}: elapsed time is {} used and {} skipped", name,
-                                      counted(total.used, "slot"), counted(total.skipped, "slot"));
+                                      counted(static_cast<std::uint64_t>(total.used), "slot"),
+                                      counted(static_cast<std::uint64_t>(total.skipped), "slot"));
   const char* verdict = total.adds_up ? "{}, to {:.3f} of a period, which the lateness explains: "
                                         "no drift"
                                       : "{} only to {:.3f} of a period, more than the lateness "

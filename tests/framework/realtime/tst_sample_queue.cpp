@@ -27,11 +27,12 @@ class TestSampleQueue : public QObject {
     SampleQueue queue(sizeof(std::uint64_t), 3);
     std::uint64_t read = 0;
     QVERIFY(!queue.try_pop(ever, room_in(read)));
-    for (std::uint64_t n : {1, 2, 3}) QVERIFY(queue.try_push(static_cast<int>(n), bytes_of(n)));
+    for (const std::uint64_t n : {1u, 2u, 3u})
+      QVERIFY(queue.try_push(static_cast<int>(n), bytes_of(n)));
     QVERIFY(!queue.try_push(4, bytes_of(4)));
-    for (std::uint64_t n : {1, 2}) QVERIFY(queue.try_pop(ever, room_in(read)) && read == n);
+    for (const std::uint64_t n : {1u, 2u}) QVERIFY(queue.try_pop(ever, room_in(read)) && read == n);
     QVERIFY(queue.try_push(4, bytes_of(4)));
-    for (std::uint64_t n : {3, 4}) QVERIFY(queue.try_pop(ever, room_in(read)) && read == n);
+    for (const std::uint64_t n : {3u, 4u}) QVERIFY(queue.try_pop(ever, room_in(read)) && read == n);
     QVERIFY(!queue.try_pop(ever, room_in(read)));
   }
 

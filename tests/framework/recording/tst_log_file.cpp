@@ -111,7 +111,7 @@ class TestLogFile : public QObject {
     reader.verify();
     const Topic events(reader, "/events");
     QCOMPARE(events.texts.size(), std::size_t{3});
-    for (const std::size_t i : {0, 1}) {
+    for (const std::size_t i : {0u, 1u}) {
       QCOMPARE(events.texts[i].at("kind"), std::string("rows missed"));
       QCOMPARE(events.texts[i].at("source"), std::string("recorder"));
       QCOMPARE(events.numbers[i].at("tick"), i == 0 ? 121.0 : 130.0);

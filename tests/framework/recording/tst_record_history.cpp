@@ -53,7 +53,7 @@ class TestRecordHistory : public QObject {
   }
 
   void the_oldest_go_when_room_is_needed_wherever_the_memory_ends() {
-    for (const std::size_t capacity : {144, 152, 200, 256, 1000, 1001}) {
+    for (const std::size_t capacity : {144u, 152u, 200u, 256u, 1000u, 1001u}) {
       RecordHistory history(capacity);
       for (std::uint64_t number = 0; number < 2000; ++number) {
         push(history, number);
