@@ -23,7 +23,7 @@ QByteArray content(const QString& path) {
 class TestBench : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void it_measures_both_loops_at_each_rate() {
     const QTemporaryDir folder;
     const QString csv = folder.filePath("bench.csv"), report = folder.filePath("bench.json");

@@ -51,7 +51,7 @@ bool near(double value, double expected) {  // to the width of a histogram's bin
 class TestBenchResult : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_figure_is_the_median_over_rounds() {
     const BenchResult result = result_of();
     const OverRounds half = over_rounds(result.rates[0].bare, 0.5);

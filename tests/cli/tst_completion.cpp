@@ -36,7 +36,7 @@ QStringList offered(const QStringList& words) {
 class TestCompletion : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void initTestCase() { QVERIFY(QDir::setCurrent(TROCAR_SOURCE_DIR)); }
 
   void bash_offers_data() {

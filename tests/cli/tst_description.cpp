@@ -56,7 +56,7 @@ class TestDescription : public QObject {
 
   const Registry registry_ = registry();
 
- private slots:
+ private Q_SLOTS:
   void components_are_listed_by_category() {
     QCOMPARE(catalogue_text(registry_), std::string("fixtures\n  Pusher  Pushes the tool\n\n"
                                                     "devices\n  Rig     A pusher with a stand "

@@ -22,7 +22,7 @@ QString content(const QString& path) {
 class TestGraphCommand : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void initTestCase() { QVERIFY(QDir::setCurrent(TROCAR_SOURCE_DIR)); }
 
   void it_answers_data() {

@@ -89,7 +89,7 @@ class TestInfo : public QObject {
   QTemporaryDir folder_;
   std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
 
- private slots:
+ private Q_SLOTS:
   void initTestCase() {
     McapWriter log(path("log.mcap"));
     write_rows(log);

@@ -63,7 +63,7 @@ class TestKinematics : public QObject {
     return CsvTable(path.toStdString());
   }
 
- private slots:
+ private Q_SLOTS:
   void every_row_of_the_vectors_data() {
     QTest::addColumn<QString>("question");
     QTest::addColumn<QStringList>("columns");

@@ -34,7 +34,7 @@ class Files {
 class TestMachine : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void what_the_system_says_is_told() {
     Files files;
     files.put("/proc/cpuinfo",

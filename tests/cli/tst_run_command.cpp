@@ -38,7 +38,7 @@ class TestRunCommand : public QObject {
     return run_trocar(QStringList{"run", path, "--clock", "simulated"} + more);
   }
 
- private slots:
+ private Q_SLOTS:
   void initTestCase() { QVERIFY(QDir::setCurrent(folder_.path())); }  // black boxes fall there
   void cleanupTestCase() { QDir::setCurrent(QDir::rootPath()); }
 

@@ -10,7 +10,7 @@ using namespace trocar::test;
 class TestUsage : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void it_answers_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<int>("status");

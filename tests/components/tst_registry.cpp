@@ -163,7 +163,7 @@ void component_rows(const Registry& registry) {
 class TestRegistry : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void holds_components() { QVERIFY(registry_.types().size() > 5); }
 
   void every_type_has_a_line_of_documentation() {

@@ -4,9 +4,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "tests/support/virtual_time.hpp"
-// Qt's macros come last: they take names that the framework uses.
 #include <QTest>
+
+#include "tests/support/virtual_time.hpp"
 
 using namespace trocar;
 using test::VirtualTime;
@@ -27,7 +27,7 @@ void spend(std::int64_t nanoseconds) {
 class TestClock : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void virtual_time_uses_every_slot_and_starts_anew() {
     SimulatedClock clock;
     for (int run = 0; run < 2; ++run) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/executor.hpp"
 
+#include <QTest>
+
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/executor_rig.hpp"
-// Qt's macros come last: they take names that the framework uses.
-#include <QTest>
 
 using namespace trocar;
 using test::ExecutorRig;
@@ -76,7 +76,7 @@ struct FixtureRig : ExecutorRig {
 class TestExecutor : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_tick_is_commands_devices_steps_gate_row() {
     ArmRig rig;
     QCOMPARE(rig.wired->main().schedule().front().component, &rig.arm());

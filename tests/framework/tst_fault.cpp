@@ -9,7 +9,7 @@ using namespace trocar;
 class TestFault : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void the_first_cause_stays_first_and_the_rest_is_listed() {
     FaultLatch latch;
     QVERIFY(!latch.latched());

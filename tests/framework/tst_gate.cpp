@@ -106,7 +106,7 @@ void break_it(GateRig& rig, const QString& what) {
 class TestGate : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_command_is_sent_once_with_its_tick_and_a_deadline_of_three_periods() {
     GateRig rig;
     rig.gate();

@@ -41,7 +41,7 @@ bool no_dot() {
 class TestGraphDot : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void groups_are_clusters_and_a_later_tick_is_dotted() {
     const std::string text = graph_dot(test::small_picture());
     for (const char* part :

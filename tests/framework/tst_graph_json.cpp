@@ -37,7 +37,7 @@ class TestGraphJson : public QObject {
 
   const json& node(const char* name) { return named(all_["nodes"], name); }
 
- private slots:
+ private Q_SLOTS:
   void initTestCase() {
     outcome_ = run_script_text(script, {}, {.check_only = true});
     QCOMPARE(outcome_.findings, QStringList());

@@ -11,7 +11,7 @@ using namespace trocar;
 class TestGraphMermaid : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_picture_is_a_flowchart() {
     QCOMPARE(graph_mermaid(test::small_picture()),
              std::string("flowchart LR\n"

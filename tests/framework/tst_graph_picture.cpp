@@ -62,7 +62,7 @@ const QByteArray parts =
 class TestGraphPicture : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void it_shows_data() {
     QTest::addColumn<QByteArray>("script");
     QTest::addColumn<QStringList>("wanted_boxes");

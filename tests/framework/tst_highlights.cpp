@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/highlights.hpp"
 
-#include "tests/support/run_rig.hpp"
-// Qt's macros come last: they take names that the framework uses.
 #include <QTest>
 #include <cmath>
+
+#include "tests/support/run_rig.hpp"
 
 using namespace trocar;
 using test::RunRig;
@@ -12,7 +12,7 @@ using test::RunRig;
 class TestHighlights : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_force_at_a_site_has_its_peak_and_its_end() {
     RunRig rig;
     Highlights highlights;

@@ -9,7 +9,7 @@ using namespace trocar;
 class TestLiteral : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void an_option_is_read_and_printed_as_a_script_would_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("printed");

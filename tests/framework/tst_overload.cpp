@@ -5,12 +5,12 @@
 #include <stdexcept>
 #include <string>
 
+#include <QTest>
+
 #include "framework/executor.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/executor_rig.hpp"
 #include "tests/support/virtual_time.hpp"
-// Qt's macros come last: they take names that the framework uses.
-#include <QTest>
 
 using namespace trocar;
 using test::ExecutorRig;
@@ -83,7 +83,7 @@ struct SlowRig : ExecutorRig {
 class TestOverload : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void ticks_in_time_are_no_overruns() {
     Ticks loop({.grace = 0.0, .allowed = 0, .longest = 0.0});
     QCOMPARE(loop.ticks(10'000, 999 * us), std::int64_t{-1});

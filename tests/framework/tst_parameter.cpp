@@ -44,7 +44,7 @@ Literal text(const char* string) {
 class TestParameter : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_wrong_value_says_what_would_be_right_data() {
     QTest::addColumn<QString>("parameter");
     QTest::addColumn<QString>("value");

@@ -37,7 +37,7 @@ std::string refusal(const Signature& whole, std::string_view path) {
 class TestPort : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_field_is_found_by_its_path_data() {
     QTest::addColumn<QString>("port");
     QTest::addColumn<QString>("path");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/run.hpp"
 
-#include "tests/support/run_rig.hpp"
-// Qt's macros come last: they take names that the framework uses.
 #include <QTest>
+
+#include "tests/support/run_rig.hpp"
 
 using namespace trocar;
 using test::edit_of;
@@ -13,7 +13,7 @@ using test::TestSink;
 class TestRun : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_run_takes_its_slots_and_keeps_its_rows() {
     RunRig rig;
     const RunResult result = rig.run(0.05);

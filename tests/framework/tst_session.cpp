@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/session.hpp"
 
-#include "framework/logger.hpp"
-#include "framework/recording/mcap_reader.hpp"
-#include "tests/support/run_rig.hpp"
-// Qt's word for one of its own is the framework's too.
-#define QT_NO_KEYWORDS
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include "framework/logger.hpp"
+#include "framework/recording/mcap_reader.hpp"
+#include "tests/support/run_rig.hpp"
 
 using namespace trocar;
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Qt's word for one of its own is the framework's too.
-#define QT_NO_KEYWORDS
 #include "framework/session_captures.hpp"
 
 #include <QDir>

@@ -14,7 +14,7 @@ Q_DECLARE_METATYPE(Values)
 class TestSignalMath : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_line_is_found_exactly() {
     const LineFit fit = fit_line(Values{-1, 0, 2, 5}, Values{-5, -2, 4, 13});
     QCOMPARE(fit.slope, 3.0);

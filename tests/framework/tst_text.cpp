@@ -8,7 +8,7 @@ using namespace trocar;
 class TestText : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_type_becomes_a_name_data() {
     QTest::addColumn<QString>("type");
     QTest::addColumn<QString>("name");

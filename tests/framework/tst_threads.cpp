@@ -2,13 +2,13 @@
 // Graphs of several threads: how values cross, in virtual and in real time, and what is refused.
 #include <limits>
 
+#include <QTest>
+
 #include "framework/logger.hpp"
 #include "framework/loop_runner.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/run_rig.hpp"
 #include "tests/support/script_bench.hpp"
-// Qt's macros come last: they take names that the framework uses.
-#include <QTest>
 
 using namespace trocar;
 
@@ -76,7 +76,7 @@ std::vector<double> column(const RunResult& result, const char* name) {
 class TestThreads : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void what_is_refused_data() {
     QTest::addColumn<QString>("finding");
     const auto row = [](const char* name, const char* finding) {

@@ -31,7 +31,7 @@ bool covered(const TypeInfo& type, std::size_t base, std::vector<int>& bytes) {
 class TestTypes : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void the_table_of_fields_tells_sizes_without_padding() {
     const std::pair<const TypeInfo*, std::size_t> sizes[] = {
         {&type_info<Vector3>(), sizeof(Vector3)}, {&type_info<Rotation>(), sizeof(Rotation)},

@@ -25,7 +25,7 @@ std::string refusal(const auto& parse) {
 class TestUnits : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_quantity_is_read_in_si_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<double>("value");

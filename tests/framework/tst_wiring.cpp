@@ -51,7 +51,7 @@ struct Rig {
 class TestWiring : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void the_order_is_devices_then_wiring_then_declaration_and_late_inputs_where_free() {
     Rig rig;
     const NodeId last = rig.add("Follower", "last");

@@ -11,7 +11,7 @@ using namespace trocar::test;
 class TestTutorials : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void it_prints_what_it_says_data() {
     QTest::addColumn<QString>("path");
     const QDir folder(TROCAR_SOURCE_DIR "/scripts/tutorial");

@@ -32,7 +32,7 @@ Q_DECLARE_METATYPE(Work)
 class TestAllocationCounter : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void one_allocation_is_one_data() {
     QTest::addColumn<Work>("work");
     const auto row = [](const char* name, const Work& work) { QTest::newRow(name) << work; };

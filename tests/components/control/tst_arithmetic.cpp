@@ -27,7 +27,7 @@ FeedSettings number(double value, std::string_view unit, const SignalQuality& qu
 class TestArithmetic : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void sum_adds_and_takes_off() {
     GraphBench bench;
     const NodeId sum = bench.add("Sum");

@@ -11,7 +11,7 @@ using namespace trocar;
 class TestCreep : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void it_yields_exponentially_whatever_the_step_data() {
     QTest::addColumn<double>("step");  // [s]
     QTest::newRow("1 ms") << 1e-3;

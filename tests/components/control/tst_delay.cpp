@@ -20,7 +20,7 @@ FeedSettings counter(const SignalQuality& quality = {}) {
 class TestDelay : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void is_late_by_its_ticks_data() {
     QTest::addColumn<int>("ticks");
     QTest::addColumn<bool>("declared_first");  // before its producer

@@ -20,7 +20,7 @@ Joints effort(double value) {
 class TestCommandReceiver : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_command_acts_its_delay_later_data() {
     QTest::addColumn<int>("delay");
     QTest::newRow("at once") << 0;

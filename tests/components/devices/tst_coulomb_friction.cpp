@@ -36,7 +36,7 @@ Problem random_problem(SeededRandom& random) {
 class TestCoulombFriction : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void solution_obeys_coulomb_in_every_axis() {
     SeededRandom random(5);
     int most = 0, stuck = 0, sliding = 0;

@@ -41,7 +41,7 @@ Q_DECLARE_METATYPE(trocar::LaparoscopeLimits)
 class TestEndStops : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void inside_all_limits_nothing_presses() {
     const auto r = reaction({}, place());
     QVERIFY(!r.any && r.effort.isZero(0.0) && r.damping.isZero(0.0));

@@ -42,7 +42,7 @@ Settings at(const PoseCoordinates& pose) {
 class TestLaparoscope : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void the_group_wires_without_a_finding() {
     LaparoscopeRig rig;
     const Findings findings = check(rig.graph, {});

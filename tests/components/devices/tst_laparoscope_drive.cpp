@@ -27,7 +27,7 @@ Vector6d all(double value) {
 class TestLaparoscopeDrive : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void without_imperfections_nothing_is_changed() {
     const LaparoscopeDrive drive({}, Imperfections::none(), 1);
     const Vector6d x = (Vector6d() << 1e3, -.1234567, 3, 1e-9, 50, -7).finished();

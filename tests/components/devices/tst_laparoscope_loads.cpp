@@ -33,7 +33,7 @@ Vector6d effort_of(const LaparoscopeConfiguration& c, const Vector3d& f, const V
 class TestLaparoscopeLoads : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void the_hand_feels_what_was_put_into_the_effort() {
     const Vector3d f(3, -5, 8), m(.1, -.2, .3);
     LaparoscopeLoads loads({}, -.15);

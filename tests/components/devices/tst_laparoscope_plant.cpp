@@ -80,7 +80,7 @@ double swing(const Vector3d& gravity, int substeps) {
 class TestLaparoscopePlant : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void energy_is_kept_to_second_order_data() {
     QTest::addColumn<double>("gx");
     QTest::addColumn<double>("gz");

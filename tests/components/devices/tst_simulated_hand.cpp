@@ -34,7 +34,7 @@ SimulatedHand grasping(const HandSettings& settings) {
 class TestSimulatedHand : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void holding_it_pulls_back_to_where_it_grasped() {
     const SimulatedHand hand = grasping({.mode = HandMode::holds});
     QVERIFY(hand.spring_wrench(rest, 0.0).isZero(0.0));

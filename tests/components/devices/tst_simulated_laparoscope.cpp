@@ -20,7 +20,7 @@ Vector6d truth(const LaparoscopeRig& rig) {
 class TestSimulatedLaparoscope : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void encoders_count_in_steps_and_say_so() {
     LaparoscopeRig rig;
     rig.start();

@@ -40,7 +40,7 @@ AdaptiveWindow foaw(AdaptiveWindow::Fit fit, int window = 15) {
 class TestVelocity : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void fits_data() {
     QTest::addColumn<int>("fit");
     QTest::newRow("through the ends") << 0;

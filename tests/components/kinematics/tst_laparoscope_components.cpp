@@ -66,7 +66,7 @@ struct Rig {
 class TestLaparoscopeComponents : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void kinematics_tell_what_the_model_tells() {
     for (const PoseCoordinates& pose : random_reachable_poses(50)) {
       Rig rig(pose);

@@ -52,7 +52,7 @@ class TestLaparoscopeDynamics : public QObject {
     QTest::newRow("zero torsion") << RollModel::zero_torsion;
   }
 
- private slots:
+ private Q_SLOTS:
   void mass_is_symmetric_and_positive() {
     const LaparoscopeDynamics d({}, {});
     for (const Vector6d& q : places(d)) {

@@ -29,7 +29,7 @@ Q_DECLARE_METATYPE(trocar::LaparoscopeLimits)
 class TestLaparoscopeGeometry : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void defaults_are_valid() {
     validate(LaparoscopeGeometry{});
     validate(LaparoscopeMasses{});

@@ -59,7 +59,7 @@ Vector6d raised(int axis, double value) {
 class TestLaparoscopeLimits : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void each_slider_is_named_at_both_ends() {
     LaparoscopeLimits narrow = wide();
     narrow.slider_low = -.27;

@@ -36,7 +36,7 @@ Vector6d actuators(const LaparoscopeModel& m, const PoseCoordinates& pose) {
 class TestLaparoscopeModel : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void forward_undoes_inverse_on_10000_reachable_poses() {
     double tip = 0.0, angle = 0.0;
     for (const PoseCoordinates& p : random_reachable_poses(10000)) {

@@ -31,7 +31,7 @@ double largest(const Eigen::MatrixXd& m) {
 class TestLaparoscopeVectors : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void all_240_rows_are_there() {
     QCOMPARE(vectors_.rows().size(), std::size_t{240});
     QCOMPARE(parts_.rows().size(), std::size_t{240});

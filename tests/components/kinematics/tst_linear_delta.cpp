@@ -26,7 +26,7 @@ Vector3d platform_at(const Vector3d& sliders) {
 class TestLinearDelta : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void forward_undoes_inverse() {
     for (const Vector3d& a : places) {
       Vector3d q;

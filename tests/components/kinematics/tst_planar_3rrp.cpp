@@ -37,7 +37,7 @@ Planar3Rrp::State assembled(const Vector3d& phi) {
 class TestPlanar3Rrp : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void forward_undoes_inverse_over_any_number_of_turns() {
     for (const Place& p : places) {
       Vector3d phi;

@@ -64,7 +64,7 @@ class TestTool : public QObject {
     QTest::newRow("zero torsion") << RollModel::zero_torsion;
   }
 
- private slots:
+ private Q_SLOTS:
   void rotation_is_proper_and_upright_where_theta_says_data() { roll_models(); }
   void rotation_is_proper_and_upright_where_theta_says() {
     QFETCH(RollModel, roll);

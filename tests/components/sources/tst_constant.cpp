@@ -11,7 +11,7 @@ using namespace trocar::test;
 class TestConstant : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void by_itself_data() {
     QTest::addColumn<QString>("value");
     QTest::addColumn<QString>("signature");

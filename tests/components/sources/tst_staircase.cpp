@@ -11,7 +11,7 @@ using namespace trocar::test;
 class TestStaircase : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void goes_up_down_and_back_data() {
     QTest::addColumn<int>("levels");
     QTest::addColumn<QVector<int>>("course");

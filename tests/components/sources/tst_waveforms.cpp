@@ -13,7 +13,7 @@ using namespace trocar::test;
 class TestWaveforms : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void sine_has_amplitude_frequency_phase_and_offset() {
     GraphBench bench;
     const NodeId sine = bench.add("Sine", {{"amplitude", {"3 mm"}},

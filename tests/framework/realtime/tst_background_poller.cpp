@@ -10,7 +10,7 @@ using trocar::BackgroundPoller;
 class TestBackgroundPoller : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void finish_polls_until_nothing_is_left() {
     std::atomic<int> left{0};
     BackgroundPoller poller([&] { return left.load() > 0 && left.fetch_sub(1) > 0; });

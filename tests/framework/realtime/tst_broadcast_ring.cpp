@@ -76,7 +76,7 @@ struct Reading {
 class TestBroadcastRing : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void an_empty_ring_has_nothing_to_read() {
     BroadcastRing ring(64, 8);
     QVERIFY(!Cursor(ring).next());

@@ -22,7 +22,7 @@ bool is_open(const QString& path) {
 class TestCpuLatencyHold : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void it_writes_0_us_and_keeps_the_file_open_as_long_as_it_lives() {
     const QTemporaryDir folder;
     QFile file(QDir(folder.path()).canonicalPath() + "/latency");

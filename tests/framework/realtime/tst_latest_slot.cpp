@@ -43,7 +43,7 @@ constexpr std::int64_t ever = std::numeric_limits<std::int64_t>::max();
 class TestLatestSlot : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void the_newest_that_is_old_enough() {
     LatestSlot slot(sizeof(Value));
     Value read;

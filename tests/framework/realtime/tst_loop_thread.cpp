@@ -66,7 +66,7 @@ QStringList shortcomings_without_privileges(bool& ran) {
 class TestLoopThread : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void it_runs_on_a_thread_of_its_own_and_asks_for_nothing_in_virtual_time() {
     std::thread::id there;
     Scheduling inside;

@@ -22,7 +22,7 @@ std::span<std::byte> room_in(std::uint64_t& value) {
 class TestSampleQueue : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void first_in_first_out_and_full() {
     SampleQueue queue(sizeof(std::uint64_t), 3);
     std::uint64_t read = 0;

@@ -27,7 +27,7 @@ struct Sample {
 class TestSpscQueue : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void an_empty_queue_gives_nothing() {
     SpscQueue<int, 4> queue;
     QVERIFY(!queue.try_pop());

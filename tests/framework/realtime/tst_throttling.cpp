@@ -11,7 +11,7 @@ using trocar::throttling;
 class TestThrottling : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void the_share_is_what_the_kernel_says_data() {
     QTest::addColumn<QByteArray>("runtime");  // "" where there is no such file
     QTest::addColumn<QByteArray>("period");

@@ -26,7 +26,7 @@ std::vector<std::int64_t> spread_over(double decades, std::size_t count) {
 class TestTimingHistogram : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void an_empty_one_is_all_zero() {
     const TimingHistogram none;
     QCOMPARE(none.count(), std::uint64_t{0});

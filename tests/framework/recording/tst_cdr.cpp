@@ -13,7 +13,7 @@ using trocar::test::span_of;
 class TestCdr : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void alignment_counts_from_the_fifth_byte_data() {
     QTest::addColumn<quint64>("offset");
     QTest::addColumn<quint64>("size");

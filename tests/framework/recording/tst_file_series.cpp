@@ -10,7 +10,7 @@ using trocar::FileSeries;
 class TestFileSeries : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void names_count_on_from_the_first_data() {
     QTest::addColumn<QString>("first");
     QTest::addColumn<QStringList>("names");

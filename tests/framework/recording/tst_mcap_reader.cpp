@@ -67,7 +67,7 @@ class TestMcapReader : public QObject {
   QByteArray log_;
   std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
 
- private slots:
+ private Q_SLOTS:
   void initTestCase() {
     write_small_log(path("log.mcap"));
     log_ = read_bytes(path("log.mcap"));

@@ -46,7 +46,7 @@ class TestMcapWriter : public QObject {
   QTemporaryDir folder_;
   std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
 
- private slots:
+ private Q_SLOTS:
   void chunks_close_by_log_time_and_size_data() {
     QTest::addColumn<int>("messages");
     QTest::addColumn<int>("size");      // [B] of each payload

@@ -41,7 +41,7 @@ std::vector<int> numbers(const RecordHistory& history, std::uint64_t from = 0) {
 class TestRecordHistory : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_new_one_is_empty() { QVERIFY(numbers(RecordHistory(1000)).empty()); }
 
   void what_fits_is_kept_in_order() {

@@ -53,7 +53,7 @@ std::vector<std::byte> event_message() {
 class TestRos2Decode : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_fixed_schema_tells_every_place_data() {
     QTest::addColumn<QString>("path");
     QTest::addColumn<quint64>("offset");  // [B]

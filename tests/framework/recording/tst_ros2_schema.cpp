@@ -29,7 +29,7 @@ QString message_of(Call&& call) {
 class TestRos2Schema : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void the_text_is_that_of_ros2msg() {
     const std::string text = trocar::ros2_schema_text({
         {"trocar/Row",

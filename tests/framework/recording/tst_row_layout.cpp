@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/recording/row_layout.hpp"
 
+#include <QTest>
 #include <map>
 
 #include "framework/recording/ros2_decode.hpp"
 #include "tests/support/test_components.hpp"
-// Qt's word for one of its own is the framework's too.
-#define QT_NO_KEYWORDS
-#include <QTest>
 
 using namespace trocar;
 

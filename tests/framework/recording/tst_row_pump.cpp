@@ -4,10 +4,10 @@
 #include <cstring>
 #include <thread>
 
-#include "tests/support/run_rig.hpp"
-// Qt's macros come last: they take names that the framework uses.
 #include <QTest>
 #include <atomic>
+
+#include "tests/support/run_rig.hpp"
 
 using namespace trocar;
 using test::RunRig;
@@ -88,7 +88,7 @@ void wait_for(const auto& condition) {
 class TestRowPump : public QObject {
   Q_OBJECT
 
- private slots:
+ private Q_SLOTS:
   void a_sink_that_falls_behind_is_told_and_delays_nobody() {
     PumpRig rig(16);
     HeldSink slow, fast("live view", true);

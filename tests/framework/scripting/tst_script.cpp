@@ -55,7 +55,7 @@ class TestScript : public QObject {
                         findings.join('\n')));
   }
 
- private slots:
+ private Q_SLOTS:
   void constructing_data() {
     columns();
     row("a component takes the name of its type",
