@@ -38,7 +38,7 @@ int draw(const Options& options) {
   std::string text;
   try {
     run_script(session, options.script.script, std::move(script_arguments));
-    const std::unique_ptr<WiredGraph> wired = wire(session.graph(), {});
+    const std::unique_ptr<WiredGraph> wired = wire(session.graph(), session.first_wiring());
     text = graph_text(session.graph(), *wired, options.format);
   } catch (const BrokenGraph& broken) {
     complain(mistakes_text(broken.findings));

@@ -3,15 +3,20 @@
 
 #include <csignal>
 
+#include "cli/keyboard.hpp"
+
 namespace trocar::cli {
 namespace {
 
 StopFlag interrupted;  // a signal handler has no other way to reach it
 
-void interrupt(int) {
+void interrupt(int signal) {
+  if (interrupted.raised()) {  // again: at once, but not with a terminal that shows nothing
+    restore_terminal();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
   interrupted.raise();
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
 }
 
 }  // namespace

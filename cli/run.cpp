@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/keyboard.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/script_options.hpp"
@@ -69,6 +70,12 @@ int run(const RunArguments& arguments) {
   if (isatty(STDERR_FILENO) != 0) options.progress = &progress;
   options.default_duration = default_simulated_duration;
   options.stop = &stop_on_interrupt();
+  std::optional<Keyboard> keyboard;
+  if (options.clock == ClockKind::realtime) keyboard.emplace();
+  if (keyboard && keyboard->there()) {
+    options.operator_input = [&keyboard] { return keyboard->next(); };
+    fmt::print(stderr, "{}\n", Keyboard::help);
+  }
   Session session(registry, options);
   int status = success;
   try {
@@ -112,7 +119,9 @@ void add_run(CLI::App& app, int& status) {
   command->footer(
       "Example:\n"
       "  trocar run scripts/tutorial/01_feel_a_wall.lua --for 5s --clock simulated\n"
-      "Ctrl-C ends a run in order, with its report. Spin, latency and overload are about real\n"
+      "Ctrl-C ends a run in order, with its report. On a terminal, in real time, space stops the\n"
+      "rendering, a acknowledges a fault, e engages, q ends the run. Spin, latency and overload "
+      "are about real\n"
       "time alone; docs/realtime.md has the definitions.\n"
       "Exit status: 0 success, 1 a fault or a loss, 2 wrong usage or a broken script.");
   command->callback([arguments, &status] { status = run(*arguments); });

@@ -3,6 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "framework/parameter.hpp"
 #include "framework/realtime/spsc_queue.hpp"
@@ -19,6 +23,17 @@ struct Command {
   const char* owner = "";  // component
   std::array<double, max_axes> target{};
 };
+
+/// What an operator asks of all threads of a run at once, at a time or now.
+struct OperatorRequest {
+  double at = 0.0;  // [s]
+  Command::Kind kind = Command::Kind::end;
+};
+
+/// "stop" (the rendering), "acknowledge", "engage", "end" (the run).
+std::optional<Command::Kind> request_named(std::string_view name);
+const char* request_name(Command::Kind kind);
+std::vector<std::string> request_names();
 
 using CommandQueue = SpscQueue<Command, 256>;
 

@@ -9,6 +9,7 @@
 namespace trocar {
 
 class Gate;
+class Supervisor;
 
 /// Effort that passed the gate. Only a Gate can make one, and a device's write() takes nothing
 /// else: that is why no component, script or plugin has a way to the motors round it.
@@ -111,6 +112,7 @@ class Device : public Component {
 
  private:
   friend class Gate;
+  friend class Supervisor;
   virtual DeviceStatus status() const RT_SAFE = 0;
   /// What `effort` loads at the present position, by the driver's own kinematics and never by
   /// values from ports. Linear in effort.
@@ -121,6 +123,9 @@ class Device : public Component {
   /// the gate without ramps and outlives faults, so it must be a weight and nothing else.
   virtual Joints weight() const RT_SAFE = 0;
   virtual void write(const Tick& tick, const GatedEffort& effort) RT_SAFE = 0;
+  /// The loop hangs: send what is safe without it. Called by the supervisor's thread while the loop
+  /// may be in any other function of this device. A device whose watchdog is its own needs nothing.
+  virtual void loop_stalled() {}
 
   bool has_gate_ = false;  // while it has one, nobody can make another
   Output<Joints>* position_ = nullptr;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "framework/supervisor.hpp"
+
 namespace trocar {
 
 Executor::Executor(const RateGroup& group, ExecutorOptions options)
@@ -63,9 +65,10 @@ void Executor::stop(const Slot& last, bool simulated) RT_SAFE {
 
 void Executor::tick(const Slot& slot, bool simulated) RT_SAFE {
   simulated_ = simulated;
-  const std::int64_t begin = options_.timing ? monotonic_ns() : 0;
+  const std::int64_t begin = options_.timing || !simulated ? monotonic_ns() : 0;
   const Tick tick = tick_of(slot.index);
   judge_time(tick, slot);
+  if (!simulated) judge_silence(tick, heartbeat_.beat(begin));
   take_commands(tick);
   ramps_.advance();
   exchange_.receive(tick, simulated);
@@ -94,16 +97,33 @@ void Executor::judge_time(const Tick& tick, const Slot& slot) RT_SAFE {
   const Overload overload = overload_.judge(slot);
   statistics_.overruns = overload_.overruns();
   if (overload.detail == nullptr) return;
-  const Fault fault{.cause = FaultCause::overload,
-                    .component = group_.name().c_str(),
-                    .detail = overload.detail,
-                    .value = overload.value,
-                    .limit = overload.limit,
-                    .tick = tick.index,
-                    .time_ns = tick.time_ns};
+  give_up_rendering({.cause = FaultCause::overload,
+                     .component = group_.name().c_str(),
+                     .detail = overload.detail,
+                     .value = overload.value,
+                     .limit = overload.limit,
+                     .tick = tick.index,
+                     .time_ns = tick.time_ns});
+}
+
+/// The supervisor has told the devices by now; this is what the loop makes of it afterwards.
+void Executor::judge_silence(const Tick& tick, std::int64_t silent_ns) RT_SAFE {
+  if (silent_ns == 0 || overload_.in_grace(tick.index) ||
+      overload_policy() == OverloadPolicy::ignore)
+    return;
+  give_up_rendering({.cause = FaultCause::loop_stalled,
+                     .component = group_.name().c_str(),
+                     .detail = "no tick began for so long [s]",
+                     .value = static_cast<double>(silent_ns) * 1e-9,
+                     .limit = static_cast<double>(heartbeat_patience(group_.period_ns())) * 1e-9,
+                     .tick = tick.index,
+                     .time_ns = tick.time_ns});
+}
+
+void Executor::give_up_rendering(const Fault& fault) RT_SAFE {
   faults_.raise(fault);
   for (Gate& gate : gates_) gate.stop_rendering(fault);
-  if (overload_.settings().policy == OverloadPolicy::end) end();
+  if (overload_policy() == OverloadPolicy::end) end();
 }
 
 void Executor::take_commands(const Tick& tick) RT_SAFE {

@@ -13,6 +13,7 @@
 #include "framework/overload.hpp"
 #include "framework/parameter_ramps.hpp"
 #include "framework/realtime/broadcast_ring.hpp"
+#include "framework/realtime/heartbeat.hpp"
 #include "framework/realtime/stop_flag.hpp"
 #include "framework/realtime/timing_histogram.hpp"
 #include "framework/recording/row_layout.hpp"
@@ -71,9 +72,14 @@ class Executor {
   const FaultLatch& faults() const { return faults_; }
   const std::deque<Gate>& gates() const { return gates_; }
   const RateGroup& group() const { return group_; }
+  /// Beats in every tick of the periodic clock.
+  Heartbeat& heartbeat() { return heartbeat_; }
+  OverloadPolicy overload_policy() const { return overload_.settings().policy; }
 
  private:
   void judge_time(const Tick& tick, const Slot& slot) RT_SAFE;
+  void judge_silence(const Tick& tick, std::int64_t silent_ns) RT_SAFE;
+  void give_up_rendering(const Fault& fault) RT_SAFE;
   void take_commands(const Tick& tick) RT_SAFE;
   void obey(const Command& command, const Tick& tick) RT_SAFE;
   void acknowledge(Event event) RT_SAFE;
@@ -97,6 +103,7 @@ class Executor {
   std::vector<std::int64_t> times_;  // [ns] of each component in this tick
   ParameterRamps ramps_;
   OverloadMonitor overload_;
+  Heartbeat heartbeat_;
   LoopStatistics statistics_;
   std::size_t next_scheduled_ = 0;
   std::size_t faults_reported_ = 0;

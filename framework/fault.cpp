@@ -21,6 +21,8 @@ const char* to_string(FaultCause cause) RT_SAFE {
       return "position lost";
     case FaultCause::overload:
       return "overload";
+    case FaultCause::loop_stalled:
+      return "loop stalled";
     case FaultCause::component_failed:
       return "component failed";
     case FaultCause::signal_lost:

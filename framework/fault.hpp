@@ -17,6 +17,7 @@ enum class FaultCause {
   encoder_jump,
   position_lost,
   overload,
+  loop_stalled,
   component_failed,
   signal_lost,
   queue_full,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "framework/supervisor.hpp"
+
 namespace trocar {
 namespace {
 
@@ -19,6 +21,24 @@ struct Turn {
     if (time_ns() != other.time_ns()) return time_ns() < other.time_ns();
     return executor->group().priority() > other.executor->group().priority();
   }
+};
+
+/// Those that move devices, and whose overload is to be judged.
+Supervisor supervisor_of(std::deque<Executor>& executors) {
+  std::vector<Supervisor::Watched> watched;
+  for (Executor& executor : executors) {
+    const RateGroup& group = executor.group();
+    if (group.devices().empty() || executor.overload_policy() == OverloadPolicy::ignore) continue;
+    watched.push_back(
+        {&executor.heartbeat(), heartbeat_patience(group.period_ns()), group.devices()});
+  }
+  return Supervisor(std::move(watched));
+}
+
+/// However a loop ends, nobody waits for its heart to beat again.
+struct EndOfBeating {
+  Heartbeat& heartbeat;
+  ~EndOfBeating() { heartbeat.end(); }
 };
 
 }  // namespace
@@ -56,8 +76,21 @@ Shortcomings run_in_real_time(std::deque<Executor>& executors, std::int64_t spin
     thread.options.processor = group.processor();
     thread.prepare = [&executor] { executor.start(); };
     thread.loop = [&executor, &clock, &group](std::int64_t start_ns) {
+      const EndOfBeating end{executor.heartbeat()};
       clock.start_at(start_ns + group.phase_ns(), group.period_ns());
       executor.loop(clock);
+    };
+  }
+  Supervisor supervisor = supervisor_of(executors);
+  if (!supervisor.empty()) {
+    LoopThread& thread = threads.emplace_back();
+    thread.options.name = "supervisor";
+    thread.options.realtime = true;
+    for (const Executor& executor : executors)
+      thread.options.priority = std::max(thread.options.priority, executor.group().priority() + 1);
+    thread.loop = [&supervisor](std::int64_t) {
+      MonotonicTime time;
+      supervisor.run(time);
     };
   }
   return run_on_loop_threads(threads);

@@ -45,7 +45,7 @@ Overload OverloadMonitor::judge(const Slot& slot) RT_SAFE {
     return {};
   }
   ++overruns_;
-  if (slot.index < grace_slots_ || settings_.policy == OverloadPolicy::ignore) return {};
+  if (in_grace(slot.index) || settings_.policy == OverloadPolicy::ignore) return {};
   if (first_of_row_ < 0) first_of_row_ = judged;
   const std::int64_t often = within_window(slot.index);
   const double length = static_cast<double>(judged - first_of_row_) * period_ +

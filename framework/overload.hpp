@@ -48,6 +48,7 @@ class OverloadMonitor {
   Overload judge(const Slot& slot) RT_SAFE;
 
   const OverloadSettings& settings() const { return settings_; }
+  bool in_grace(std::int64_t slot) const RT_SAFE { return slot < grace_slots_; }
   std::int64_t overruns() const { return overruns_; }  // all, also those in the grace
 
  private:

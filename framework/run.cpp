@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "framework/loop_runner.hpp"
+#include "framework/realtime/background_poller.hpp"
 #include "framework/realtime/cpu_latency_hold.hpp"
 #include "framework/realtime/throttling.hpp"
 #include "framework/recording/row_pump.hpp"
@@ -101,6 +102,12 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   std::shared_ptr<RowStore> rows;
   if (options.keep_rows) sinks.push_back((rows = std::make_shared<RowStore>()).get());
 
+  for (std::size_t i = 0; i < layouts.size(); ++i)
+    for (const OperatorRequest& request : options.requests)
+      commands[i].push_back({.kind = request.kind,
+                             .not_before = std::llround(request.at / wired->groups()[i].period())});
+  std::deque<CommandQueue> queues(layouts.size());
+
   StopFlag ended;
   std::deque<Executor> executors;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
@@ -108,6 +115,7 @@ RunResult run(const Graph& graph, const RunOptions& options) {
     if (options.engage) commands[i].push_back({.kind = Command::Kind::engage});
     executors.emplace_back(group, ExecutorOptions{.ticks = slots_of(group, options.duration),
                                                   .schedule = std::move(commands[i]),
+                                                  .commands = &queues[i],
                                                   .records = &rings[simulated ? 0 : i],
                                                   .layout = &layouts[i],
                                                   .stop = options.stop,
@@ -120,6 +128,16 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   std::optional<CpuLatencyHold> hold;
   if (options.timing.hold_latency && !simulated) hold.emplace();
 
+  std::optional<BackgroundPoller> operator_input;
+  if (options.operator_input && !simulated)
+    operator_input.emplace(
+        [&] {
+          const auto kind = options.operator_input();
+          for (CommandQueue& queue : queues)
+            if (kind) queue.try_push({.kind = *kind});
+          return kind.has_value();
+        },
+        std::chrono::milliseconds(5));
   RowPump pump(rings, sinks, layouts, *wired, simulated);
   const std::int64_t begin = monotonic_ns();
   Shortcomings shortcomings;
@@ -128,6 +146,7 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   else
     shortcomings = run_in_real_time(executors, spin_ns(options));
   const std::int64_t end = monotonic_ns();
+  if (operator_input) operator_input->finish();
 
   PumpResult readers = pump.finish();
   RunResult result{.clock = options.clock};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,9 @@ struct RunOptions {
   std::optional<double> duration{};  // [s]; without one it runs until stopped
   WiringOptions wiring{};
   std::vector<Edit> edits{};
+  std::vector<OperatorRequest> requests{};  // at their times
+  /// In real time, asked some hundred times a second on a thread of its own: what is requested now.
+  std::function<std::optional<Command::Kind>()> operator_input{};
   bool engage = true;      // ask to render as soon as it is safe
   bool keep_rows = false;  // for an experiment to compute with
   std::vector<RowSink*> sinks{};

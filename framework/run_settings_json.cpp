@@ -26,11 +26,15 @@ std::string run_settings_json(const RunOptions& options, const Graph::Overrides&
   Json edits = Json::array();
   for (const Edit& edit : options.edits)
     edits.push_back({{"at", edit.at}, {"key", edit.key}, {"value", value_of(edit.value)}});
+  Json requests = Json::array();
+  for (const OperatorRequest& request : options.requests)
+    requests.push_back({{"at", request.at}, {"ask", request_name(request.kind)}});
   const Json all = {{"rate", options.wiring.rate},
                     {"duration", options.duration ? Json(*options.duration) : Json()},
                     {"seed", options.wiring.seed},
                     {"set", settings(options.wiring.set)},
                     {"edits", edits},
+                    {"requests", requests},
                     {"overrides", settings(overrides)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -109,6 +109,7 @@ const SessionRun& Session::run(RunOptions wanted) {
     wanted.duration = options_.default_duration;
   if (options_.seed) wanted.wiring.seed = *options_.seed;
   wanted.stop = options_.stop;
+  wanted.operator_input = options_.operator_input;
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);
   const std::unique_ptr<WiredGraph> wired = wire(graph_, wanted.wiring);  // before a log is begun
   if (const std::string wrong = check_spin(wanted, graph_);

@@ -28,6 +28,7 @@ struct SessionOptions {
   bool check_only = false;                     // stop at the first run
   bool print_to_stderr = false;                // what the script prints
   const StopFlag* stop = nullptr;
+  std::function<std::optional<Command::Kind>()> operator_input{};  // see RunOptions
   RowSink* progress = nullptr;
 };
 
@@ -55,6 +56,9 @@ class Session {
 
   /// A script's text, for the log.
   void add_script(std::string name, std::string text);
+  /// How the first run wires the graph, for those who only look at it.
+  const WiringOptions& first_wiring() const { return first_wiring_; }
+  void plan(const RunOptions& first) { first_wiring_ = first.wiring; }
   /// Runs the graph as it stands; `wanted` is what the script asks, the options win.
   /// @throw BrokenGraph with every finding
   const SessionRun& run(RunOptions wanted);
@@ -81,6 +85,7 @@ class Session {
 
   SessionOptions options_;
   Graph graph_;
+  WiringOptions first_wiring_;
   std::vector<std::pair<std::string, std::string>> scripts_;
   std::unique_ptr<LogFile> log_;
   std::string log_path_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/scripting/run_options.hpp"
 #include "framework/scripting/script_context.hpp"
 #include "framework/signal_math.hpp"
 #include "framework/text.hpp"
@@ -17,91 +18,19 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// What ends a script early and in order; no user sees it.
 constexpr const char* stop_here = "trocar: the script stops here";
 
-double quantity(const Literal& literal, const char* unit, const std::string& what) {
-  const auto* number = literal.as<double>();
-  if (number != nullptr && *number == 0.0) return 0.0;
-  if (const auto* text = literal.as<std::string>()) {
-    try {
-      const Quantity read = parse_quantity(*text);
-      if (read.unit.dimension == parse_unit(unit).dimension) return read.value;
-    } catch (const UnitError& error) {
-      throw std::invalid_argument(fmt::format("{} = {}", what, error.what()));
-    }
-  }
-  throw std::invalid_argument(
-      fmt::format("{} = {}: needs {}, e.g. \"1 {}\"", what, literal.text(), unit, unit));
-}
-
 // --- trocar.run -------------------------------------------------------------------------------
-
-const Literal::Table& table_of(const Literal& literal, const std::string& what) {
-  static const Literal::Table empty;
-  if (const auto* table = literal.as<Literal::Table>()) return *table;
-  if (const auto* list = literal.as<Literal::List>(); list != nullptr && list->empty())
-    return empty;
-  throw std::invalid_argument(
-      fmt::format("{} = {}: needs a table, e.g. {{ [\"wall.stiffness\"] = \"3 N/mm\" }}", what,
-                  literal.text()));
-}
-
-double within(double value, double min, double max, const char* range, const std::string& what) {
-  if (value >= min && value <= max) return value;
-  throw std::invalid_argument(fmt::format("{} = {:g}: {} is possible", what, value, range));
-}
-
-void read_edits(const Literal& literal, const Where& at, RunOptions& options) {
-  const auto* list = literal.as<Literal::List>();
-  if (list == nullptr)
-    throw std::invalid_argument(
-        "edits: needs a list, e.g. { { at = \"1 s\", [\"wall.stiffness\"] = \"3 N/mm\" } }");
-  for (const Literal& one : *list) {
-    double time = std::nan("");
-    for (const auto& [key, value] : table_of(one, "edits"))
-      if (key == "at") time = quantity(value, "s", "edits.at");
-    if (!(time >= 0.0 && time < 1e7))
-      throw std::invalid_argument("edits: each needs at = \"1 s\" or the like");
-    for (const auto& [key, value] : table_of(one, "edits"))
-      if (key != "at") options.edits.push_back({time, key, value, at});
-  }
-}
-
-RunOptions read_run_options(const Literal& literal, const Where& at) {
-  RunOptions options{.keep_rows = true};
-  options.duration = 1.0;
-  for (const auto& [key, value] : table_of(literal, "trocar.run")) {
-    if (key == "rate") {
-      options.wiring.rate = within(quantity(value, "Hz", key), 1.0, 1e5, "1 Hz to 100 kHz", key);
-    } else if (key == "duration") {
-      options.duration = within(quantity(value, "s", key), 1e-5, 1e7, "10 µs to 1e7 s", key);
-    } else if (key == "seed") {
-      const auto* seed = value.as<double>();
-      if (seed == nullptr || !(*seed >= 0.0 && *seed < 0x1p53) || std::floor(*seed) != *seed)
-        throw std::invalid_argument(fmt::format("seed = {}: needs a whole number", value.text()));
-      options.wiring.seed = static_cast<std::uint64_t>(*seed);
-    } else if (key == "set") {
-      for (const auto& [name, setting] : table_of(value, key))
-        options.wiring.set.insert_or_assign(name, Graph::Override{setting, at});
-    } else if (key == "edits") {
-      read_edits(value, at, options);
-    } else {
-      throw std::invalid_argument(
-          fmt::format("trocar.run has no \"{}\"{}", key,
-                      suggestion(key, {"rate", "duration", "seed", "set", "edits"})));
-    }
-  }
-  return options;
-}
 
 int run_graph(lua_State* state) {
   ScriptContext& script = context(state);
-  if (script.session.options().check_only) {
-    script.ran = true;
-    return luaL_error(state, "%s", stop_here);
-  }
   if (!lua_istable(state, 1))
     throw std::invalid_argument("trocar.run takes one table, e.g. { duration = \"10 s\" }");
   const Where at = where(state);
   RunOptions options = read_run_options(to_literal(state, 1), at);
+  if (script.session.options().check_only) {
+    script.session.plan(options);
+    script.ran = true;
+    return luaL_error(state, "%s", stop_here);
+  }
   if (!script.ran) script.graph().report_unused_overrides();
   script.ran = true;
   try {

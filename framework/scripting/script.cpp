@@ -332,7 +332,7 @@ void run_script(Session& session, const std::string& path, Graph::Overrides argu
   lua::report_unused_arguments(script);
   if (!script.ran || session.options().check_only) session.graph().report_unused_overrides();
   if (session.options().check_only || !session.graph().findings().empty()) {
-    if (const Findings findings = check(session.graph(), {}); !findings.empty())
+    if (const Findings findings = check(session.graph(), session.first_wiring()); !findings.empty())
       throw BrokenGraph(findings);
     return;
   }

@@ -61,6 +61,19 @@ class TestGraphCommand : public QObject {
     QVERIFY2(ran.err.contains(err) && ran.err.isEmpty() == err.isEmpty(), ran.err);
   }
 
+  void the_rate_is_that_of_the_scripts_first_run() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("fast.lua");
+    QFile file(path);
+    QVERIFY(file.open(QFile::WriteOnly));
+    file.write(
+        "trocar.Constant { value = 1, rate = \"2 kHz\" }\ntrocar.run { rate = \"4 kHz\" }\n");
+    file.close();
+    const Ran checked = run_trocar({"check", path});
+    QVERIFY2(checked.status == 0, checked.out);
+    QCOMPARE(run_trocar({"graph", path}).status, 0);
+  }
+
   void mistakes_are_those_of_check() {
     const QByteArray checked = run_trocar({"check", "tests/data/ten_mistakes.lua"}).out;
     const QByteArray drawn = run_trocar({"graph", "tests/data/ten_mistakes.lua"}).err;

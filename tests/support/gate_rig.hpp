@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <functional>
 
 #include "framework/gate.hpp"
@@ -38,6 +39,7 @@ class TestDevice final : public Device {
   Joints written{};
   std::int64_t written_tick = -1, written_deadline = 0;
   int writes = 0;
+  std::atomic<int> stalls{0};  // that the supervisor told of, on its own thread
 
   TestDevice() { declare_device(reported, hold, effort, effort_sent, scale); }
 
@@ -74,6 +76,7 @@ class TestDevice final : public Device {
   }
 
  private:
+  void loop_stalled() override { ++stalls; }
   DeviceStatus status() const RT_SAFE override { return report; }
   void tool_loads(const Joints& of, ToolLoads& all) const RT_SAFE override {
     for (int i = 0; i < loads; ++i)
