@@ -20,7 +20,10 @@ class Exchange {
 
   Exchange(const RateGroup& group, FaultLatch& faults) : group_(group), faults_(faults) {}
 
-  void receive(const Tick& tick, bool simulated) RT_SAFE;
+  void receive(const Tick& tick, bool simulated) RT_SAFE {
+    lost_ = {};
+    for (const Arrival& arrival : group_.arrivals()) receive_one(arrival, tick, simulated);
+  }
   /// @param stepped whether the i-th component of the schedule stepped in this tick
   /// @param lost bits of what is computed from values that are not sound, found in this tick
   template <typename Stepped>
@@ -33,6 +36,7 @@ class Exchange {
   const Lost& lost() const RT_SAFE { return lost_; }
 
  private:
+  void receive_one(const Arrival& arrival, const Tick& tick, bool simulated) RT_SAFE;
   void send_one(const Departure& departure, const Tick& tick, bool sound) RT_SAFE;
 
   const RateGroup& group_;

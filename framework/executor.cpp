@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "framework/supervisor.hpp"
 
@@ -17,6 +18,7 @@ Executor::Executor(const RateGroup& group, ExecutorOptions options)
       overload_(options_.overload, group.period()) {
   std::stable_sort(options_.schedule.begin(), options_.schedule.end(),
                    [](const Command& a, const Command& b) { return a.not_before < b.not_before; });
+  scheduled_ = options_.schedule;
   for (Device* device : group.devices()) gates_.emplace_back(*device, group.period(), faults_);
   for (const Gate& gate : gates_) gate_states_.push_back(gate.state());
   const std::size_t count = group.schedule().size();
@@ -68,17 +70,18 @@ void Executor::tick(const Slot& slot, bool simulated) RT_SAFE {
   const std::int64_t begin = options_.timing || !simulated ? monotonic_ns() : 0;
   const Tick tick = tick_of(slot.index);
   judge_time(tick, slot);
-  if (!simulated) judge_silence(tick, heartbeat_.beat(begin));
+  if (const std::int64_t silent_ns = simulated ? 0 : heartbeat_.beat(begin); silent_ns > 0)
+    judge_silence(tick, silent_ns);
   take_commands(tick);
-  ramps_.advance();
+  move_ramps();
   exchange_.receive(tick, simulated);
-  step_all(tick);
-  pass_gates(tick);
+  step_all(tick, begin);
+  if (!gates_.empty()) pass_gates(tick);
   send_across(tick);
   report_changes(tick);
   // In virtual time a full ring makes the tick wait for its readers, which is not its own cost.
   const std::int64_t end = options_.timing && simulated ? monotonic_ns() : 0;
-  send_row(tick, slot);
+  if (options_.records != nullptr) send_row(tick, slot);
   ++statistics_.ticks;
   statistics_.skipped += slot.skipped;
   statistics_.lateness.add(slot.lateness_ns);
@@ -87,16 +90,19 @@ void Executor::tick(const Slot& slot, bool simulated) RT_SAFE {
   statistics_.duration.add(last_duration_);
 }
 
-Tick Executor::tick_of(std::int64_t index) const RT_SAFE {
+inline Tick Executor::tick_of(std::int64_t index) const RT_SAFE {
   const std::int64_t time_ns = group_.phase_ns() + index * group_.period_ns();
   return {index, time_ns, static_cast<double>(time_ns) * 1e-9, group_.period()};
 }
 
 /// The tick before, whose end is known now.
-void Executor::judge_time(const Tick& tick, const Slot& slot) RT_SAFE {
+inline void Executor::judge_time(const Tick& tick, const Slot& slot) RT_SAFE {
   const Overload overload = overload_.judge(slot);
   statistics_.overruns = overload_.overruns();
-  if (overload.detail == nullptr) return;
+  if (overload.detail != nullptr) react_to(overload, tick);
+}
+
+void Executor::react_to(const Overload& overload, const Tick& tick) RT_SAFE {
   give_up_rendering({.cause = FaultCause::overload,
                      .component = group_.name().c_str(),
                      .detail = overload.detail,
@@ -108,9 +114,7 @@ void Executor::judge_time(const Tick& tick, const Slot& slot) RT_SAFE {
 
 /// The supervisor has told the devices by now; this is what the loop makes of it afterwards.
 void Executor::judge_silence(const Tick& tick, std::int64_t silent_ns) RT_SAFE {
-  if (silent_ns == 0 || overload_.in_grace(tick.index) ||
-      overload_policy() == OverloadPolicy::ignore)
-    return;
+  if (overload_.in_grace(tick.index) || overload_policy() == OverloadPolicy::ignore) return;
   give_up_rendering({.cause = FaultCause::loop_stalled,
                      .component = group_.name().c_str(),
                      .detail = "no tick began for so long [s]",
@@ -126,15 +130,23 @@ void Executor::give_up_rendering(const Fault& fault) RT_SAFE {
   if (overload_policy() == OverloadPolicy::end) end();
 }
 
-void Executor::take_commands(const Tick& tick) RT_SAFE {
-  while (next_scheduled_ < options_.schedule.size() &&
-         options_.schedule[next_scheduled_].not_before <= tick.index)
-    obey(options_.schedule[next_scheduled_++], tick);
+inline void Executor::take_commands(const Tick& tick) RT_SAFE {
+  while (!scheduled_.empty() && scheduled_.front().not_before <= tick.index) {
+    obey(scheduled_.front(), tick);
+    scheduled_ = scheduled_.subspan(1);
+  }
   if (options_.commands == nullptr) return;
   while (const auto command = options_.commands->try_pop()) obey(*command, tick);
 }
 
+inline void Executor::move_ramps() RT_SAFE {
+  if (!ramps_.moving()) return;
+  edited_ = true;
+  ramps_.advance();
+}
+
 void Executor::obey(const Command& command, const Tick& tick) RT_SAFE {
+  edited_ = true;
   Event event{.tick = tick.index, .time_ns = tick.time_ns};
   switch (command.kind) {
     case Command::Kind::set_parameter: {
@@ -188,28 +200,48 @@ void Executor::acknowledge(Event event) RT_SAFE {
   if (std::none_of(gates_.begin(), gates_.end(), tripped)) faults_.acknowledge();
 }
 
-void Executor::step_all(const Tick& tick) RT_SAFE {
-  if (options_.timing)
-    stepper_.step(tick, {times_, statistics_.components});
-  else
-    stepper_.step(tick);
+/// Where nothing came before the first component, the tick's beginning is its own.
+inline void Executor::step_all(const Tick& tick, std::int64_t begin) RT_SAFE {
+  if (!options_.timing) return stepper_.step(tick);
+  const bool first = !std::exchange(edited_, false) && group_.arrivals().empty();
+  stepper_.step(tick, first ? begin : monotonic_ns(), {times_, statistics_.components});
 }
 
 void Executor::pass_gates(const Tick& tick) RT_SAFE {
   const unsigned effort_lost = stepper_.effort_lost() | exchange_.lost().effort;
   const unsigned hold_lost = stepper_.hold_lost() | exchange_.lost().hold;
-  for (std::size_t d = 0; d < gates_.size(); ++d) {
-    const unsigned bit = 1u << d;
-    gates_[d].pass(tick, (effort_lost & bit) == 0, (hold_lost & bit) == 0);
+  unsigned bit = 1;
+  for (Gate& gate : gates_) {
+    gate.pass(tick, (effort_lost & bit) == 0, (hold_lost & bit) == 0);
+    bit <<= 1;
   }
 }
 
-void Executor::send_across(const Tick& tick) RT_SAFE {
+inline void Executor::send_across(const Tick& tick) RT_SAFE {
   exchange_.send(tick, stepper_.crossing_lost(),
                  [this](std::size_t i) { return stepper_.stepped(i); });
 }
 
-void Executor::report_changes(const Tick& tick) RT_SAFE {
+inline void Executor::report_changes(const Tick& tick) RT_SAFE {
+  if (faults_reported_ < faults_.size()) report_faults();
+  if (!gates_.empty()) report_gates(tick);
+}
+
+void Executor::report_gates(const Tick& tick) RT_SAFE {
+  auto reported = gate_states_.begin();
+  for (const Gate& gate : gates_) {
+    Gate::State& before = *reported++;
+    if (gate.state() == before) continue;
+    before = gate.state();
+    send({.kind = Event::Kind::gate,
+          .tick = tick.index,
+          .time_ns = tick.time_ns,
+          .source = gate.device().name().c_str(),
+          .what = to_string(gate.state())});
+  }
+}
+
+void Executor::report_faults() RT_SAFE {
   for (; faults_reported_ < faults_.size(); ++faults_reported_) {
     const Fault& fault = faults_[faults_reported_];
     send({.kind = Event::Kind::fault,
@@ -220,15 +252,6 @@ void Executor::report_changes(const Tick& tick) RT_SAFE {
           .detail = fault.detail,
           .value = fault.value,
           .limit = fault.limit});
-  }
-  for (std::size_t d = 0; d < gates_.size(); ++d) {
-    if (gates_[d].state() == gate_states_[d]) continue;
-    gate_states_[d] = gates_[d].state();
-    send({.kind = Event::Kind::gate,
-          .tick = tick.index,
-          .time_ns = tick.time_ns,
-          .source = gates_[d].device().name().c_str(),
-          .what = to_string(gates_[d].state())});
   }
 }
 
@@ -252,7 +275,6 @@ void Executor::send(const Event& event) RT_SAFE {
 }
 
 void Executor::send_row(const Tick& tick, const Slot& slot) RT_SAFE {
-  if (options_.records == nullptr) return;
   const std::span<std::byte> row = options_.records->begin(options_.layout->size());
   if (row.empty()) {
     ++statistics_.rows_lost;

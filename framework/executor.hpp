@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "framework/clock.hpp"
@@ -78,17 +79,21 @@ class Executor {
 
  private:
   void judge_time(const Tick& tick, const Slot& slot) RT_SAFE;
+  void react_to(const Overload& overload, const Tick& tick) RT_SAFE;
   void judge_silence(const Tick& tick, std::int64_t silent_ns) RT_SAFE;
   void give_up_rendering(const Fault& fault) RT_SAFE;
   void take_commands(const Tick& tick) RT_SAFE;
+  void move_ramps() RT_SAFE;
   void obey(const Command& command, const Tick& tick) RT_SAFE;
   void acknowledge(Event event) RT_SAFE;
-  void step_all(const Tick& tick) RT_SAFE;
+  void step_all(const Tick& tick, std::int64_t begin) RT_SAFE;
   Tick tick_of(std::int64_t index) const RT_SAFE;
   void pass_gates(const Tick& tick) RT_SAFE;
   void send_across(const Tick& tick) RT_SAFE;
   void end() RT_SAFE;
   void report_changes(const Tick& tick) RT_SAFE;
+  void report_faults() RT_SAFE;
+  void report_gates(const Tick& tick) RT_SAFE;
   void send(const Event& event) RT_SAFE;
   void send_row(const Tick& tick, const Slot& slot) RT_SAFE;
   void hand_over(RecordKind kind) RT_SAFE;
@@ -105,11 +110,12 @@ class Executor {
   OverloadMonitor overload_;
   Heartbeat heartbeat_;
   LoopStatistics statistics_;
-  std::size_t next_scheduled_ = 0;
+  std::span<const Command> scheduled_;  // still to come
   std::size_t faults_reported_ = 0;
   std::int64_t last_duration_ = 0;
   bool simulated_ = false;
   bool ended_ = false;
+  bool edited_ = false;  // something was done before the components' turn
 };
 
 }  // namespace trocar

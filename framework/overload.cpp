@@ -37,13 +37,7 @@ OverloadMonitor::OverloadMonitor(const OverloadSettings& settings, double period
       window_slots_(std::max(1LL, std::llround(settings.window / period))),
       recent_(static_cast<std::size_t>(settings.allowed) + 1) {}
 
-Overload OverloadMonitor::judge(const Slot& slot) RT_SAFE {
-  const std::int64_t judged = before_;
-  before_ = slot.index;
-  if (slot.overrun_ns <= 0) {
-    first_of_row_ = -1;
-    return {};
-  }
+Overload OverloadMonitor::judge_overrun(const Slot& slot, std::int64_t judged) RT_SAFE {
   ++overruns_;
   if (in_grace(slot.index) || settings_.policy == OverloadPolicy::ignore) return {};
   if (first_of_row_ < 0) first_of_row_ = judged;

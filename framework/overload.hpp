@@ -45,13 +45,20 @@ class OverloadMonitor {
   OverloadMonitor(const OverloadSettings& settings, double period);
 
   /// Judges the tick that came before `slot`. Each overrun beyond a limit trips anew.
-  Overload judge(const Slot& slot) RT_SAFE;
+  Overload judge(const Slot& slot) RT_SAFE {
+    const std::int64_t judged = before_;
+    before_ = slot.index;
+    if (slot.overrun_ns > 0) return judge_overrun(slot, judged);
+    first_of_row_ = -1;
+    return {};
+  }
 
   const OverloadSettings& settings() const { return settings_; }
   bool in_grace(std::int64_t slot) const RT_SAFE { return slot < grace_slots_; }
   std::int64_t overruns() const { return overruns_; }  // all, also those in the grace
 
  private:
+  Overload judge_overrun(const Slot& slot, std::int64_t judged) RT_SAFE;
   std::int64_t within_window(std::int64_t slot) RT_SAFE;
 
   OverloadSettings settings_;

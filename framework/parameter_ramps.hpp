@@ -16,6 +16,7 @@ class ParameterRamps {
   /// False when too many move already. An edit of a moving parameter starts from where it is.
   bool begin(ParameterBase* parameter, const std::array<double, max_axes>& target,
              std::int64_t ticks) RT_SAFE;
+  bool moving() const RT_SAFE { return active_ > 0; }
   /// One tick further.
   void advance() RT_SAFE;
 

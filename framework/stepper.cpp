@@ -3,24 +3,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "framework/clock.hpp"
 
 namespace trocar {
 namespace {
 
+constexpr std::size_t lanes = 8;  // so that no addition waits for the one before
+
+double sum_of_last(const double* n) RT_SAFE {
+  return ((n[0] + n[1]) + (n[2] + n[3])) + ((n[4] + n[5]) + (n[6] + n[7]));
+}
+
 /// Not finite where any of the numbers is not, since no addition makes an infinity or a NaN finite
-/// again. A sum of finite numbers that overflows costs a search in vain. Eight lanes, so that no
-/// addition waits for the one before.
+/// again. A sum of finite numbers that overflows costs a search in vain. The last numbers were
+/// written this moment, one by one: two of them at once could not be read before they are in the
+/// cache.
 double sum(std::span<const double> numbers) RT_SAFE {
-  using Lanes = Eigen::Array<double, 8, 1>;
+  using Lanes = Eigen::Array<double, lanes, 1>;
+  if (numbers.size() < lanes) return std::accumulate(numbers.begin(), numbers.end(), 0.0);
+  const std::size_t last = numbers.size() - lanes;
   Lanes sums = Lanes::Zero();
   std::size_t n = 0;
-  for (; n + 8 <= numbers.size(); n += 8)
+  for (; n + lanes <= last; n += lanes)
     sums += Eigen::Map<const Lanes, Eigen::Aligned16>(&numbers[n]);
   double total = sums.sum();
-  for (; n < numbers.size(); ++n) total += numbers[n];
-  return total;
+  for (; n < last; ++n) total += numbers[n];
+  return total + sum_of_last(&numbers[last]);
 }
 
 }  // namespace
@@ -49,29 +59,46 @@ void Stepper::find_site_force(const Component& component, Special& special) cons
   special.velocity = reinterpret_cast<const Vector3*>(source.output->data() + source.offset);
 }
 
-inline void Stepper::step_plain(std::size_t i, Component* component, const Tick& own) RT_SAFE {
-  component->step(own);
-  if (component->failure() != nullptr) give_up(i, own);
+/// The tick itself, as long as none is missing before it: a copy of what was written this moment
+/// would wait for it.
+inline const Tick& Stepper::seen_by_plain(const Tick& tick, Tick& after_gap) const RT_SAFE {
+  if (last_tick_ < 0 || tick.index - last_tick_ == 1) return tick;
+  return after_gap = own_tick(tick, last_tick_, 1);
+}
+
+inline void Stepper::step_plain(Item& item, const Tick& own) RT_SAFE {
+  item.component->step(own);
+  if (item.component->failure() != nullptr) give_up(index_of(item), own);
+}
+
+/// One pass over all numbers; only when it finds something, a search for whose it is.
+inline void Stepper::look_through(const Tick& tick) RT_SAFE {
+  last_tick_ = tick.index;
+  effort_lost_ = effort_failed_;
+  hold_lost_ = hold_failed_;
+  crossing_lost_ = crossing_failed_;
+  if (!std::isfinite(sum(group_.numbers()))) find_not_finite(tick);
 }
 
 void Stepper::step(const Tick& tick) RT_SAFE {
-  const Tick every = own_tick(tick, last_tick_, 1);
-  const std::span<const Item> items = items_;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (items[i].plain)
-      step_plain(i, items[i].component, every);
+  Tick after_gap;
+  const Tick& every = seen_by_plain(tick, after_gap);
+  for (Item& item : std::span(items_)) {
+    if (item.plain)
+      step_plain(item, every);
     else
-      step_special(i, tick);
+      step_special(index_of(item), tick);
   }
   look_through(tick);
 }
 
-void Stepper::step(const Tick& tick, const StepTimes& times) RT_SAFE {
-  const Tick every = own_tick(tick, last_tick_, 1);
-  std::int64_t before = monotonic_ns();
+void Stepper::step(const Tick& tick, std::int64_t begin, const StepTimes& times) RT_SAFE {
+  Tick after_gap;
+  const Tick& every = seen_by_plain(tick, after_gap);
+  std::int64_t before = begin;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     if (items_[i].plain) {
-      step_plain(i, items_[i].component, every);
+      step_plain(items_[i], every);
     } else if (!step_special(i, tick)) {
       times.latest[i] = 0;
       continue;
@@ -144,15 +171,6 @@ void Stepper::fade(Special& special, const Tick& tick) RT_SAFE {
   special.last = tick.index;
   *special.force = special.remainder.step(*special.velocity, elapsed);
   if (special.moment != nullptr) *special.moment = {};
-}
-
-/// One pass over all numbers; only when it finds something, a search for whose it is.
-void Stepper::look_through(const Tick& tick) RT_SAFE {
-  last_tick_ = tick.index;
-  effort_lost_ = effort_failed_;
-  hold_lost_ = hold_failed_;
-  crossing_lost_ = crossing_failed_;
-  if (!std::isfinite(sum(group_.numbers()))) find_not_finite(tick);
 }
 
 void Stepper::find_not_finite(const Tick& tick) RT_SAFE {

@@ -27,10 +27,11 @@ class Stepper {
  public:
   Stepper(const RateGroup& group, FaultLatch& faults);
 
-  /// Steps all components that are due. Ticks come in ascending order.
+  /// Steps all components that are due. Ticks come in ascending order, their `dt` is the period.
   void step(const Tick& tick) RT_SAFE;
   /// The same, with one reading of the clock for each component that is due.
-  void step(const Tick& tick, const StepTimes& times) RT_SAFE;
+  /// @param begin reading of the clock just before [ns]
+  void step(const Tick& tick, std::int64_t begin, const StepTimes& times) RT_SAFE;
 
   /// After step(), bits as in ScheduleItem: something that a device's effort (or hold, or what is
   /// sent to another thread) is computed from was not finite in this tick or is failed for good.
@@ -59,7 +60,11 @@ class Stepper {
 
   void find_site_force(const Component& component, Special& special) const;
   Tick own_tick(const Tick& tick, std::int64_t last, std::int64_t divider) const RT_SAFE;
-  void step_plain(std::size_t i, Component* component, const Tick& own) RT_SAFE;
+  const Tick& seen_by_plain(const Tick& tick, Tick& after_gap) const RT_SAFE;
+  std::size_t index_of(const Item& item) const RT_SAFE {
+    return static_cast<std::size_t>(&item - items_.data());
+  }
+  void step_plain(Item& item, const Tick& own) RT_SAFE;
   bool step_special(std::size_t i, const Tick& tick) RT_SAFE;
   void give_up(std::size_t i, const Tick& tick) RT_SAFE;
   void fade(Special& special, const Tick& tick) RT_SAFE;
