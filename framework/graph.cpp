@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "framework/text.hpp"
 
@@ -66,10 +67,8 @@ std::optional<NodeId> Graph::group_of(NodeId id) const {
 }
 
 const Graph::Link* Graph::link_to(const ParameterRef& parameter) const {
-  const auto last = std::find_if(links_.rbegin(), links_.rend(), [&](const Link& link) {
-    return link.to.node == parameter.node && link.to.name == parameter.name;
-  });
-  return last == links_.rend() ? nullptr : &*last;
+  const auto found = link_into_.find({parameter.node, parameter.name});
+  return found == link_into_.end() ? nullptr : &links_[found->second];
 }
 
 std::optional<std::string> Graph::free_name(std::string_view type, std::string_view name,
@@ -103,11 +102,34 @@ std::string Graph::rename(NodeId id, std::string_view name, std::string_view sco
   if (full == nodes_[id].name) return "";
   if (find(full)) return fmt::format("\"{}\" is the name of something else already", full);
   by_name_.erase(nodes_[id].name);
+  give_back(nodes_[id].name);
   by_name_.emplace(full, id);
   nodes_[id].name = std::move(full);
   if (nodes_[id].component) nodes_[id].component->set_name(nodes_[id].name);
   apply_overrides(id);
   return "";
+}
+
+std::string Graph::unused_name(const std::string& stem, const std::string& scope) {
+  const std::string prefix = scope.empty() ? "" : scope + ".";
+  int& number = first_unused_.emplace(prefix + stem, 1).first->second;
+  const auto name = [&] { return number == 1 ? stem : fmt::format("{}_{}", stem, number); };
+  while (find(prefix + name())) ++number;
+  return name();
+}
+
+/// The name may be "stem", or "stem_3" of another stem.
+void Graph::give_back(const std::string& name) {
+  const auto unused = [&](const std::string& stem, int number) {
+    const auto known = first_unused_.find(stem);
+    if (known != first_unused_.end()) known->second = std::min(known->second, number);
+  };
+  unused(name, 1);
+  const std::size_t end = name.rfind('_');
+  int number = 0;
+  if (end != std::string::npos &&
+      std::from_chars(name.data() + end + 1, name.data() + name.size(), number).ec == std::errc())
+    unused(name.substr(0, end), std::max(1, number));
 }
 
 std::optional<NodeId> Graph::add(std::string_view type_name, std::string_view name,
@@ -154,8 +176,9 @@ void Graph::build_group(NodeId group) {
 
 void Graph::apply_overrides(NodeId id) {
   const std::string prefix = nodes_[id].name + ".";
-  for (auto& [key, override] : overrides) {
-    if (!key.starts_with(prefix)) continue;
+  for (auto each = overrides.lower_bound(prefix);
+       each != overrides.end() && each->first.starts_with(prefix); ++each) {
+    auto& [key, override] = *each;
     const std::string parameter = key.substr(prefix.size());
     ParameterBase* found = nodes_[id].settings().find_parameter(parameter);
     if (found == nullptr) continue;
@@ -202,6 +225,7 @@ void Graph::set(const ParameterRef& parameter, const Literal& value, const Where
 void Graph::link(const ParameterRef& from, const ParameterRef& to, const Where& where) {
   const std::string key = nodes_[to.node].name + "." + to.name;
   if (overrides.contains(key)) return;
+  link_into_[{to.node, to.name}] = links_.size();
   links_.push_back({from, to, where});
   nodes_[to.node].set_at[to.name] = where;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "framework/connection.hpp"
@@ -132,6 +133,8 @@ class Graph {
   void set_rate(NodeId node, double rate, std::int64_t phase, const Where& where);
   /// Another name for a node within a scope; what is wrong with it, or "".
   std::string rename(NodeId node, std::string_view name, std::string_view scope);
+  /// `stem`, or "stem_2", "stem_3", … where that is taken within the scope.
+  std::string unused_name(const std::string& stem, const std::string& scope);
   void finding(const Where& where, std::string message) {
     findings_.add(where, std::move(message));
   }
@@ -161,12 +164,15 @@ class Graph {
   std::optional<std::string> free_name(std::string_view type, std::string_view name,
                                        const Where& where, std::string_view scope);
   void apply_overrides(NodeId id);
+  void give_back(const std::string& name);
 
   const Registry& registry_;
   std::vector<Node> nodes_;
   std::map<std::string, NodeId, std::less<>> by_name_;
   std::vector<Wire> wires_;
   std::vector<Link> links_;
+  std::map<std::pair<NodeId, std::string>, std::size_t> link_into_;  // the last, in links_
+  std::map<std::string, int> first_unused_;  // by "scope.stem": all numbers below are taken
   std::vector<Thread> threads_;
   ThreadId current_thread_ = main_thread;
   Findings findings_;

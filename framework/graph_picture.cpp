@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "framework/text.hpp"
 
@@ -39,8 +40,11 @@ std::string short_value(const std::string& text) {
   return text.substr(0, end) + "…";
 }
 
+using ArrowsFrom = std::vector<std::vector<std::size_t>>;  // by box, index of the arrows
+
 /// Whether arrows lead from one box to another.
-bool leads(const GraphPicture& picture, std::size_t from, std::size_t to) {
+bool leads(const GraphPicture& picture, const ArrowsFrom& arrows_from, std::size_t from,
+           std::size_t to) {
   std::vector<std::size_t> open = {from};
   std::vector<bool> reached(picture.boxes.size(), false);
   while (!open.empty()) {
@@ -49,8 +53,8 @@ bool leads(const GraphPicture& picture, std::size_t from, std::size_t to) {
     if (at == to) return true;
     if (reached[at]) continue;
     reached[at] = true;
-    for (const GraphPicture::Arrow& arrow : picture.arrows)
-      if (arrow.from == at && !arrow.back) open.push_back(arrow.to);
+    for (const std::size_t each : arrows_from[at])
+      if (!picture.arrows[each].back) open.push_back(picture.arrows[each].to);
   }
   return false;
 }
@@ -58,11 +62,14 @@ bool leads(const GraphPicture& picture, std::size_t from, std::size_t to) {
 /// Each loop has an arrow of a later tick or to another thread, or the graph could not run. From a
 /// gate goes first: what flows to a device has its natural end there.
 void mark_back(GraphPicture& picture) {
+  ArrowsFrom arrows_from(picture.boxes.size());
+  for (std::size_t i = 0; i < picture.arrows.size(); ++i)
+    arrows_from[picture.arrows[i].from].push_back(i);
   for (const bool gates : {true, false})
     for (GraphPicture::Arrow& arrow : picture.arrows) {
       const bool gate = picture.boxes[arrow.from].shape == GraphPicture::Shape::gate;
       if (gate == gates && arrow.line != GraphPicture::Line::same_tick)
-        arrow.back = leads(picture, arrow.to, arrow.from);
+        arrow.back = leads(picture, arrows_from, arrow.to, arrow.from);
     }
 }
 
@@ -216,18 +223,17 @@ class Painter {
 
   void add_label(std::size_t from, std::size_t to, GraphPicture::Line line,
                  GraphPicture::Label label) {
-    auto& arrows = picture_.arrows;
-    auto arrow = std::find_if(arrows.begin(), arrows.end(), [&](const auto& known) {
-      return known.from == from && known.to == to && known.line == line;
-    });
-    if (arrow == arrows.end())
-      arrow = arrows.insert(arrows.end(), {.from = from, .to = to, .line = line});
-    arrow->labels.push_back(std::move(label));
+    const auto [known, is_new] =
+        arrows_.emplace(std::tuple(from, to, line), picture_.arrows.size());
+    if (is_new) picture_.arrows.push_back({.from = from, .to = to, .line = line});
+    picture_.arrows[known->second].labels.push_back(std::move(label));
   }
 
   const Graph& graph_;
   const WiredGraph& wired_;
   GraphPicture picture_;
+  /// By box at either end and line, index of the arrows.
+  std::map<std::tuple<std::size_t, std::size_t, GraphPicture::Line>, std::size_t> arrows_;
   std::map<NodeId, std::size_t> boxes_;
   std::map<NodeId, std::size_t> gates_;                             // by device
   std::map<std::pair<NodeId, std::size_t>, std::size_t> clusters_;  // by group and thread

@@ -16,34 +16,40 @@ Vector3 vector_at(std::span<const std::byte> row, std::size_t offset) {
 }  // namespace
 
 void Highlights::begin(const std::vector<RowLayout>& layouts, const WiredGraph& graph) {
+  const Places places = places_in(layouts);
   for (const RateGroup& group : graph.groups())
     for (const ScheduleItem& item : group.schedule()) {
       const auto& placement = item.component->placement();
       if (!placement || placement->force == nullptr) continue;
       if (placement->position != nullptr)
         for (const Source& source : placement->position->sources())
-          add(layouts, *source.output, source.offset, false);
-      add(layouts, *placement->force, 0, true);
+          add(places, *source.output, source.offset, false);
+      add(places, *placement->force, 0, true);
     }
   latest_.values.resize(all_.size());
 }
 
-void Highlights::add(const std::vector<RowLayout>& layouts, const OutputPort& output,
-                     std::size_t offset, bool is_force) {
-  const std::string port_name = output.owner_name() + "." + output.name();
+Highlights::Places Highlights::places_in(const std::vector<RowLayout>& layouts) {
+  Places places;
   for (std::size_t group = 0; group < layouts.size(); ++group)
-    for (const RowPort& port : layouts[group].ports()) {
-      if (port.name != port_name) continue;
-      Highlight one{.name = port_name,
+    for (const RowPort& port : layouts[group].ports())
+      places.emplace(port.name, Place{group, port.row_offset});
+  return places;
+}
+
+void Highlights::add(const Places& places, const OutputPort& output, std::size_t offset,
+                     bool is_force) {
+  const std::string port_name = output.owner_name() + "." + output.name();
+  const auto [begin, end] = places.equal_range(port_name);
+  for (auto each = begin; each != end; ++each) {
+    const auto [group, row_offset] = each->second;
+    if (!known_.emplace(group, row_offset + offset).second) continue;
+    all_.push_back({.name = port_name,
                     .unit = is_force ? "N" : "m",
                     .is_force = is_force,
                     .group = group,
-                    .row_offset = port.row_offset + offset};
-      const bool known = std::any_of(all_.begin(), all_.end(), [&](const Highlight& other) {
-        return other.group == group && other.row_offset == one.row_offset;
-      });
-      if (!known) all_.push_back(std::move(one));
-    }
+                    .row_offset = row_offset + offset});
+  }
 }
 
 /// A moment is one of the first thread that has anything to show, with what the others had last.

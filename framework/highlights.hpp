@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "framework/recording/row_sink.hpp"
@@ -40,10 +44,13 @@ class Highlights final : public RowSink {
 
  private:
   static constexpr std::size_t most_moments = 24;
-  void add(const std::vector<RowLayout>& layouts, const OutputPort& output, std::size_t offset,
-           bool is_force);
+  using Place = std::pair<std::size_t, std::size_t>;      // of a value: group, offset in its row
+  using Places = std::multimap<std::string_view, Place>;  // by the port's name
+  static Places places_in(const std::vector<RowLayout>& layouts);
+  void add(const Places& places, const OutputPort& output, std::size_t offset, bool is_force);
 
   std::vector<Highlight> all_;
+  std::set<Place> known_;
   std::vector<Moment> moments_;
   Moment latest_;
   std::size_t stride_ = 1;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "framework/loop_runner.hpp"
 #include "framework/realtime/background_poller.hpp"
@@ -40,8 +41,10 @@ ThreadResult result_of(const Executor& executor) {
   const RateGroup& group = executor.group();
   ThreadResult result{
       .name = group.name(), .rate = 1.0 / group.period(), .loop = executor.statistics()};
-  for (std::size_t i = 0; i < group.schedule().size(); ++i)
-    result.components.push_back({group.schedule()[i].component->name(), result.loop.components[i]});
+  const std::vector<TimingHistogram> times = std::exchange(result.loop.components, {});
+  result.components.reserve(times.size());  // 8 KiB each
+  for (std::size_t i = 0; i < times.size(); ++i)
+    result.components.push_back({group.schedule()[i].component->name(), times[i]});
   return result;
 }
 

@@ -59,8 +59,8 @@ struct ComponentTiming {
 /// What one thread of a run came to.
 struct ThreadResult {
   std::string name;
-  double rate = 0.0;  // [Hz]
-  LoopStatistics loop{};
+  double rate = 0.0;      // [Hz]
+  LoopStatistics loop{};  // without its components' times
   std::vector<ComponentTiming> components{};
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <set>
 
 #include "framework/graph_json.hpp"
 #include "framework/literal_json.hpp"
@@ -28,12 +29,16 @@ const Logger* find_logger(const Graph& graph) {
   return nullptr;
 }
 
+using Patterns = std::set<std::string, std::less<>>;
+
 /// "wall" and "wall.force" want the port "wall.force"; so does "wall.force.z".
-bool wants(std::string_view pattern, std::string_view port) {
-  const auto inside = [](std::string_view outer, std::string_view inner) {
-    return inner.starts_with(outer) && (inner.size() == outer.size() || inner[outer.size()] == '.');
-  };
-  return inside(pattern, port) || inside(port, pattern);
+bool wants(const Patterns& patterns, const std::string& port) {
+  for (std::size_t dot = port.find('.');; dot = port.find('.', dot + 1)) {
+    if (patterns.contains(std::string_view(port).substr(0, dot))) return true;
+    if (dot == std::string::npos) break;
+  }
+  const auto inside = patterns.lower_bound(port + ".");
+  return inside != patterns.end() && inside->starts_with(port + ".");
 }
 
 }  // namespace
@@ -51,16 +56,13 @@ void Session::add_script(std::string name, std::string text) {
 RowLayout::Selection Session::selection() const {
   const Logger* logger = find_logger(graph_);
   if (logger == nullptr) return {};
-  std::vector<std::string> patterns;
+  Patterns patterns;
   if (const auto* one = logger->signals->as<std::string>()) patterns = {*one};
   if (const auto* list = logger->signals->as<Literal::List>())
     for (const Literal& each : *list)
-      if (const auto* pattern = each.as<std::string>()) patterns.push_back(*pattern);
-  if (patterns.empty() || patterns == std::vector<std::string>{"all"}) return {};
-  return [patterns](const std::string& port) {
-    return std::any_of(patterns.begin(), patterns.end(),
-                       [&](const std::string& pattern) { return wants(pattern, port); });
-  };
+      if (const auto* pattern = each.as<std::string>()) patterns.insert(*pattern);
+  if (patterns.empty() || patterns == Patterns{"all"}) return {};
+  return [patterns](const std::string& port) { return wants(patterns, port); };
 }
 
 /// @param wired the graph as its first run has it; null where nothing ran

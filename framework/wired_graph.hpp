@@ -4,6 +4,8 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "framework/graph.hpp"
@@ -32,6 +34,7 @@ class WiredGraph {
  private:
   friend class Wiring;
   std::vector<std::unique_ptr<Component>> components_;
+  std::unordered_map<std::string_view, Component*> by_name_;
   std::deque<RateGroup> groups_;
   std::deque<Crossing> crossings_;
 };

@@ -72,6 +72,7 @@ void Wiring::instantiate() {
       component->set_name(node.name);
       for (std::size_t i = 0; i < component->parameters().size(); ++i)
         component->parameters()[i]->copy_from(*node.component->parameters()[i]);
+      result_->by_name_.emplace(component->name(), component.get());
     }
     result_->components_.push_back(std::move(component));
   }
@@ -308,9 +309,8 @@ Findings check(const Graph& graph, const WiringOptions& options) {
 }
 
 Component* WiredGraph::find(std::string_view name) const {
-  for (const auto& component : components_)
-    if (component && component->name() == name) return component.get();
-  return nullptr;
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? nullptr : found->second;
 }
 
 std::vector<ParameterBase*> WiredGraph::followers(const Graph& graph,

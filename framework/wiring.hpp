@@ -17,6 +17,7 @@ struct ResolvedWire {
   std::string path;                      // of the field that is read
   std::optional<Connection> connection;  // to another thread
   Where where;
+  std::size_t arrival = 0;  // of one to another thread, in the reader's group
 
   std::string text() const;  // "sine.value → wall.offset"
 };
@@ -52,6 +53,8 @@ class Wiring {
   void check_rates();
   void check_connections();  // wiring_threads.cpp
   void make_groups();
+  void begin_group(ThreadId thread);
+  void add_to_group(NodeId node, std::size_t group);
   void connect_across(const ResolvedWire& wire);
   void order();  // wiring_order.cpp
   void report_loop(const std::vector<NodeId>& waiting);

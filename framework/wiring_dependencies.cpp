@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <map>
+
 #include "framework/wiring.hpp"
 
 namespace trocar {
@@ -69,14 +71,17 @@ void Wiring::mark_dependencies() {
       mark(upstream(group.devices_[d]->hold_port()),
            [&](ScheduleItem& item) { item.reaches_hold |= bit; });
     }
+    std::map<std::uint64_t, std::vector<const InputPort*>> read;  // for what is sent, by its bit
     for (const Departure& departure : group.departures_) {
       ScheduleItem& maker = group.schedule_[departure.item];
       maker.reaches_crossing |= departure.mask;
       if (is_device(*maker.component)) continue;
       const auto& inputs = maker.component->inputs();
-      mark(upstream(std::vector<const InputPort*>(inputs.begin(), inputs.end())),
-           [&](ScheduleItem& item) { item.reaches_crossing |= departure.mask; });
+      std::vector<const InputPort*>& all = read[departure.mask];
+      all.insert(all.end(), inputs.begin(), inputs.end());
     }
+    for (const auto& [mask, inputs] : read)
+      mark(upstream(inputs), [bit = mask](ScheduleItem& item) { item.reaches_crossing |= bit; });
   }
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "framework/text.hpp"
 #include "framework/wiring.hpp"
@@ -26,20 +27,22 @@ void Wiring::order() {
     const bool device = dynamic_cast<const Device*>(result_->components_[id].get()) != nullptr;
     return std::pair(device ? 0 : would_follow[id] == 0 ? 1 : 2, id);
   };
-  std::vector<NodeId> ready;
+  std::set<std::pair<int, NodeId>> ready;  // by rank
   for (NodeId id = 0; id < graph_.size(); ++id)
-    if (result_->components_[id] && waits_for[id] == 0) ready.push_back(id);
+    if (result_->components_[id] && waits_for[id] == 0) ready.insert(rank(id));
   while (!ready.empty()) {
-    const auto first = std::min_element(ready.begin(), ready.end(),
-                                        [&](NodeId a, NodeId b) { return rank(a) < rank(b); });
-    const NodeId id = *first;
-    ready.erase(first);
+    const NodeId id = ready.begin()->second;
+    ready.erase(ready.begin());
     order_.push_back(id);
     for (const ResolvedWire* wire : wires_from[id]) {
-      if (!wire->to->feedthrough())
-        --would_follow[wire->to_node];
-      else if (--waits_for[wire->to_node] == 0)
-        ready.push_back(wire->to_node);
+      const NodeId next = wire->to_node;
+      if (wire->to->feedthrough()) {
+        if (--waits_for[next] == 0) ready.insert(rank(next));
+        continue;
+      }
+      const bool was_ready = ready.erase(rank(next)) > 0;
+      --would_follow[next];
+      if (was_ready) ready.insert(rank(next));
     }
   }
 
@@ -51,26 +54,25 @@ void Wiring::order() {
 
 /// Walks from one waiting component to one that it waits for until one comes twice.
 void Wiring::report_loop(const std::vector<NodeId>& waiting) {
-  const auto is_waiting = [&](NodeId id) {
-    return std::find(waiting.begin(), waiting.end(), id) != waiting.end();
-  };
+  std::vector<bool> is_waiting(graph_.size(), false), seen(graph_.size(), false);
+  for (const NodeId id : waiting) is_waiting[id] = true;
   std::vector<const ResolvedWire*> path;  // backwards
   NodeId at = waiting.front();
-  while (true) {
-    const auto into = std::find_if(wires_.begin(), wires_.end(), [&](const ResolvedWire& wire) {
+  while (!seen[at]) {
+    seen[at] = true;
+    const auto& wires = wires_of_[at];
+    const auto into = std::find_if(wires.begin(), wires.end(), [&](std::size_t w) {
+      const ResolvedWire& wire = wires_[w];
       return wire.to_node == at && wire.to->feedthrough() && !wire.connection &&
-             is_waiting(wire.from_node);
+             is_waiting[wire.from_node];
     });
-    if (into == wires_.end()) return;
-    const auto seen = std::find_if(path.begin(), path.end(),
-                                   [&](const ResolvedWire* wire) { return wire->to_node == at; });
-    if (seen != path.end()) {
-      path.erase(path.begin(), seen);
-      break;
-    }
-    path.push_back(&*into);
-    at = into->from_node;
+    if (into == wires.end()) return;
+    path.push_back(&wires_[*into]);
+    at = path.back()->from_node;
   }
+  path.erase(path.begin(), std::find_if(path.begin(), path.end(), [&](const ResolvedWire* wire) {
+               return wire->to_node == at;
+             }));
   std::vector<std::string> steps;
   for (auto wire = path.rbegin(); wire != path.rend(); ++wire) steps.push_back((*wire)->text());
   findings_.add(

@@ -49,6 +49,7 @@ void Wiring::check_connections() {
     const bool crosses = thread_of_[wire.from_node] != thread_of_[wire.to_node];
     const double own_rate = graph_.node(wire.from_node).rate;
     const double value_rate = own_rate > 0.0 ? own_rate : thread_rate(wire.from_node);
+    if (!crosses && !wire.connection) continue;
     const std::string source = wire.text().substr(0, wire.text().find(" →"));
     if (crosses && !wire.connection)
       findings_.add(wire.where,
@@ -73,44 +74,56 @@ void Wiring::check_connections() {
   }
 }
 
-/// One for each thread in use, in the order of declaration, with its schedule and its memory.
+/// One for each thread in use, in the order of declaration, with its schedule and its memory. Where
+/// nothing runs, the last one has a group all the same.
 void Wiring::make_groups() {
   group_index_.assign(graph_.size(), 0);
   item_index_.assign(graph_.size(), 0);
   position_.assign(graph_.size(), 0);
-  for (std::size_t i = 0; i < order_.size(); ++i) position_[order_[i]] = i;
-  for (ThreadId thread = 0; thread < graph_.threads().size(); ++thread) {
-    const Graph::Thread& declared = graph_.threads()[thread];
-    RateGroup group;
-    for (const NodeId id : order_) {
-      const Graph::Node& node = graph_.node(id);
-      if (thread_of_[id] != thread) continue;
-      group_index_[id] = result_->groups_.size();
-      item_index_[id] = group.schedule_.size();
-      const double divider = node.rate == 0.0 ? 1.0 : std::round(thread_rate(id) / node.rate);
-      group.schedule_.push_back({.component = result_->components_[id].get(),
-                                 .divider = static_cast<std::int64_t>(divider),
-                                 .phase = node.phase});
-      if (auto* device = dynamic_cast<Device*>(result_->components_[id].get()))
-        group.devices_.push_back(device);
-    }
-    const bool last_chance = thread + 1 == graph_.threads().size() && result_->groups_.empty();
-    if (group.schedule_.empty() && !last_chance) continue;
-    group.name_ = declared.name;
-    group.period_ns_ = std::llround(1e9 / (declared.rate > 0.0 ? declared.rate : options_.rate));
-    group.period_ = static_cast<double>(group.period_ns_) * 1e-9;
-    group.phase_ns_ = std::llround(declared.phase * 1e9);
-    group.priority_ = declared.priority;
-    group.processor_ = declared.processor;
-    result_->groups_.push_back(std::move(group));
+  std::vector<bool> in_use(graph_.threads().size(), false);
+  if (order_.empty()) in_use.back() = true;
+  for (const NodeId id : order_) in_use[thread_of_[id]] = true;
+  std::vector<std::size_t> group_of_thread(in_use.size(), 0);
+  for (ThreadId thread = 0; thread < in_use.size(); ++thread) {
+    group_of_thread[thread] = result_->groups_.size();
+    if (in_use[thread]) begin_group(thread);
   }
-  for (const ResolvedWire& wire : wires_) {
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    position_[order_[i]] = i;
+    add_to_group(order_[i], group_of_thread[thread_of_[order_[i]]]);
+  }
+  for (ResolvedWire& wire : wires_) {
     if (!wire.connection) continue;
     RateGroup& reader = group_of(wire.to_node);
+    wire.arrival = reader.arrivals_.size();
     reader.arrivals_.push_back(
         {.input = wire.to, .item = item_index_[wire.to_node], .signature = *wire.to->signature()});
   }
   for (RateGroup& group : result_->groups_) lay_out_memory(group);
+}
+
+void Wiring::begin_group(ThreadId thread) {
+  const Graph::Thread& declared = graph_.threads()[thread];
+  RateGroup& group = result_->groups_.emplace_back();
+  group.name_ = declared.name;
+  group.period_ns_ = std::llround(1e9 / (declared.rate > 0.0 ? declared.rate : options_.rate));
+  group.period_ = static_cast<double>(group.period_ns_) * 1e-9;
+  group.phase_ns_ = std::llround(declared.phase * 1e9);
+  group.priority_ = declared.priority;
+  group.processor_ = declared.processor;
+}
+
+void Wiring::add_to_group(NodeId id, std::size_t index) {
+  const Graph::Node& node = graph_.node(id);
+  RateGroup& group = result_->groups_[index];
+  group_index_[id] = index;
+  item_index_[id] = group.schedule_.size();
+  const double divider = node.rate == 0.0 ? 1.0 : std::round(thread_rate(id) / node.rate);
+  group.schedule_.push_back({.component = result_->components_[id].get(),
+                             .divider = static_cast<std::int64_t>(divider),
+                             .phase = node.phase});
+  if (auto* device = dynamic_cast<Device*>(result_->components_[id].get()))
+    group.devices_.push_back(device);
 }
 
 /// Numbers of outputs first, the other outputs, then what arrives: value, tick, validity.
@@ -157,10 +170,7 @@ void Wiring::connect() {
 void Wiring::connect_across(const ResolvedWire& wire) {
   RateGroup& reader = group_of(wire.to_node);
   RateGroup& producer = group_of(wire.from_node);
-  // Arrivals of a group stand in the order of the wires, and this is the first that is not made.
-  std::size_t a = 0;
-  while (reader.arrivals_[a].crossing != nullptr) ++a;
-  Arrival& arrival = reader.arrivals_[a];
+  Arrival& arrival = reader.arrivals_[wire.arrival];
   std::byte* const memory = reinterpret_cast<std::byte*>(reader.memory_.data());
   const std::size_t offset = select_field(*wire.from->signature(), wire.path).offset;
   Crossing& crossing = result_->crossings_.emplace_back(

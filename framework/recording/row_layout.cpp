@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstring>
 #include <map>
+#include <set>
 
 #include "framework/text.hpp"
 
@@ -58,24 +59,38 @@ std::string field_name(std::string_view name) {
   return result;
 }
 
-/// Adds a field under a name that no other field of the message has.
-void add_field(Ros2Message& message, std::string_view name, std::string type, std::string comment) {
-  const auto is_taken = [&](const std::string& other) {
-    return std::any_of(message.fields.begin(), message.fields.end(),
-                       [&](const Ros2Field& field) { return field.name == other; });
-  };
-  message.fields.push_back(
-      {free_name(field_name(name), "_", is_taken), std::move(type), 0, std::move(comment)});
-}
+/// A message in the making: no two of its fields have one name.
+class MessageDraft {
+ public:
+  explicit MessageDraft(const std::string& name, std::vector<Ros2Field> head = {})
+      : message_{name, std::move(head), {}} {
+    for (const Ros2Field& field : message_.fields) names_.insert(field.name);
+  }
+  void add_field(std::string_view name, std::string type, std::string comment) {
+    std::string own =
+        free_name(field_name(name), "_", [&](const std::string& n) { return names_.contains(n); });
+    names_.insert(own);
+    message_.fields.push_back({std::move(own), std::move(type), 0, std::move(comment)});
+  }
+  Ros2Message take() { return std::move(message_); }
+
+ private:
+  Ros2Message message_;
+  std::set<std::string> names_;
+};
 
 /// Gathers the messages of a row: one for each component and group, and the types that they use.
 class SchemaBuilder {
  public:
   SchemaBuilder(std::vector<Ros2Field> head, const std::vector<RowPort>& ports) {
-    messages_.push_back({"trocar/Row", std::move(head), {}});
+    begin_message("trocar/Row", std::move(head));
     for (const RowPort& port : ports) add(port);
   }
-  std::vector<Ros2Message> take() { return std::move(messages_); }
+  std::vector<Ros2Message> take() {
+    std::vector<Ros2Message> messages;
+    for (MessageDraft& draft : messages_) messages.push_back(draft.take());
+    return messages;
+  }
 
  private:
   void add(const RowPort& port) {
@@ -91,8 +106,8 @@ class SchemaBuilder {
     for (std::size_t i = 0; i < port.labels.size(); ++i)
       comment += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, port.labels[i]);
     const std::string type = type_name(port.signature);
-    add_field(messages_[parent], parts.back(), type,
-              comment + (comment.empty() ? "" : " ") + port.doc);
+    messages_[parent].add_field(parts.back(), type,
+                                comment + (comment.empty() ? "" : " ") + port.doc);
   }
 
   static std::string unit_list(const Signature& signature) {
@@ -107,12 +122,10 @@ class SchemaBuilder {
     if (is_new) {
       // "a.b" and "a_b" read alike in CamelCase.
       const std::string message =
-          free_name("trocar/Node" + camel_case(path), "N", [&](const std::string& other) {
-            return std::any_of(messages_.begin(), messages_.end(),
-                               [&](const Ros2Message& one) { return one.name == other; });
-          });
-      add_field(messages_[parent], name, message, {});
-      messages_.push_back({message, {}, {}});
+          free_name("trocar/Node" + camel_case(path), "N",
+                    [&](const std::string& other) { return names_.contains(other); });
+      messages_[parent].add_field(name, message, {});
+      begin_message(message);
     }
     return found->second;
   }
@@ -129,12 +142,18 @@ class SchemaBuilder {
       std::vector<Ros2Field> fields;
       for (std::size_t i = 0; i < field_count(type, signature.axes); ++i)
         fields.push_back({type.fields[i].name, type_name({type.fields[i].type, 0, {}, {}}), 0, {}});
-      messages_.push_back({name, std::move(fields), {}});
+      begin_message(name, std::move(fields));
     }
     return name;
   }
 
-  std::vector<Ros2Message> messages_;
+  void begin_message(const std::string& name, std::vector<Ros2Field> fields = {}) {
+    messages_.emplace_back(name, std::move(fields));
+    names_.insert(name);
+  }
+
+  std::vector<MessageDraft> messages_;
+  std::set<std::string> names_;  // of messages
   std::map<std::string, std::size_t> nodes_;
   std::map<std::string, bool> types_;
 };
@@ -260,8 +279,9 @@ std::vector<Ros2Message> RowLayout::messages() const {
       {"lateness", "int64", 0, "[ns] of the tick's beginning; 0 in virtual time"},
       {"duration", "int64", 0, "[ns] of the tick before; 0 in virtual time"},
       {"flags", "int64", 0, "1 fault latched, 2 rendering, 4 slots skipped before this one"}};
-  Ros2Message times{"trocar/StepTimes", {}, {}};
-  for (const std::string& component : components_) add_field(times, component, "int64", {});
+  MessageDraft draft("trocar/StepTimes");
+  for (const std::string& component : components_) draft.add_field(component, "int64", {});
+  Ros2Message times = draft.take();
   if (!components_.empty())  // a message needs a field
     head.push_back(
         {"step_times", times.name, 0, "[ns] of each component in this tick; 0 in virtual time"});

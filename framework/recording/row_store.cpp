@@ -22,6 +22,7 @@ void RowStore::begin(const std::vector<RowLayout>& layouts, const WiredGraph&) {
   for (const RowLayout& layout : layouts) {
     for (RowSignal& signal : layout.signals()) {
       signal.group = groups_.size();
+      by_name_.emplace(signal.name, signals_.size());
       signals_.push_back(std::move(signal));
     }
     groups_.push_back({File(std::tmpfile(), &std::fclose), layout.size(), 0});
@@ -40,9 +41,8 @@ void RowStore::end() {
 }
 
 const RowSignal* RowStore::find(std::string_view name) const {
-  for (const RowSignal& signal : signals_)
-    if (signal.name == name) return &signal;
-  return nullptr;
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? nullptr : &signals_[found->second];
 }
 
 template <typename Take>

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdio>
+#include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +41,7 @@ class RowStore final : public RowSink {
 
   std::vector<Group> groups_;
   std::vector<RowSignal> signals_;
+  std::map<std::string, std::size_t, std::less<>> by_name_;  // in signals_
 };
 
 }  // namespace trocar

@@ -249,10 +249,7 @@ std::string ScriptContext::unused_name(const std::string& stem) {
 }
 
 std::string ScriptContext::unused_name(const std::string& stem, const std::string& inside) {
-  const std::string prefix = inside.empty() ? "" : inside + ".";
-  std::string name = stem;
-  for (int n = 2; graph().find(prefix + name); ++n) name = fmt::format("{}_{}", stem, n);
-  return name;
+  return graph().unused_name(stem, inside);
 }
 
 ScriptContext& context(lua_State* state) {
