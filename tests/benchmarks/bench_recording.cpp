@@ -15,33 +15,19 @@
 
 #include "framework/realtime/background_poller.hpp"
 #include "framework/session.hpp"
+#include "tests/benchmarks/numbers.hpp"
 
 using namespace trocar;
+using trocar::bench::Numbers;
 
 namespace {
 
-constexpr int numbers = 100;
 constexpr const char* log_name = "bench_recording.mcap";
-
-/// Outputs of 100 numbers that change in each tick.
-class Numbers final : public Component {
- public:
-  Numbers() {
-    for (int i = 0; i < numbers; ++i)
-      outputs_.emplace_back(this, fmt::format("n{}", i), PortOptions{.unit = "N"});
-  }
-  void step(const Tick& tick) RT_SAFE override {
-    for (Output<double>& output : outputs_) *output = tick.time;
-  }
-
- private:
-  std::deque<Output<double>> outputs_;
-};
 
 /// [ns] for one row of 100 numbers, its head and one component's time: the median of 10,000 times a
 /// hundred rows, so that what else the machine does does not count.
 double time_of_a_write(int readers) {
-  constexpr std::size_t row = sizeof(RowHeader) + 8 + 8 * numbers;
+  constexpr std::size_t row = sizeof(RowHeader) + 8 + 8 * Numbers::count;
   constexpr int at_once = 100;
   BroadcastRing ring(std::size_t{64} << 20, row);
   std::deque<BroadcastRing::Cursor> cursors;
@@ -105,7 +91,7 @@ int main(int argc, char** argv) {
     fmt::print(
         "a row of {} numbers is handed over in {:.0f} ns, filling it included, with {} "
         "readers\n",
-        numbers, time_of_a_write(readers), readers);
+        Numbers::count, time_of_a_write(readers), readers);
   const int status = record(seconds, rate);
   std::filesystem::remove(log_name);
   return status;
