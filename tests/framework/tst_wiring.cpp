@@ -431,6 +431,44 @@ class TestWiring : public QObject {
     }
     QCOMPARE(trocar::wire(rig.graph, rig.options)->main().schedule().size(), std::size_t{10001});
   }
+
+  // All are ready at once, all are fed late, and all names have the same stem.
+  void ten_thousand_components_side_by_side_are_wired() {
+    Rig rig;
+    const NodeId source = rig.add("Number", "source");
+    for (int i = 0; i < 10000; ++i) {
+      const NodeId next = rig.add("Follower", rig.graph.unused_name("follower", ""));
+      rig.wire(source, "value", next, "input");
+      rig.wire(next, "value", next, "late");
+    }
+    QCOMPARE(trocar::wire(rig.graph, rig.options)->main().schedule().size(), std::size_t{10001});
+  }
+
+  void a_loop_of_ten_thousand_components_is_reported() {
+    Rig rig;
+    const NodeId first = rig.add("Follower", "first");
+    NodeId before = first;
+    for (int i = 1; i < 10000; ++i) {
+      const NodeId next = rig.add("Follower", "f" + std::to_string(i));
+      rig.wire(before, "value", next, "input");
+      before = next;
+    }
+    rig.wire(before, "value", first, "input");
+    QVERIFY(rig.findings().contains("a loop without a delay: first.value → f1.input"));
+  }
+
+  void the_lowest_unused_name_is_taken_also_when_it_was_given_back() {
+    Rig rig;
+    for (const char* name : {"sum", "sum_2", "sum_3"}) {
+      QCOMPARE(rig.graph.unused_name("sum", ""), std::string(name));
+      rig.add("Number", name);
+    }
+    QCOMPARE(rig.graph.unused_name("sum", ""), std::string("sum_4"));
+    QCOMPARE(rig.graph.rename(*rig.graph.find("sum_2"), "surface", ""), std::string());
+    QCOMPARE(rig.graph.unused_name("sum", ""), std::string("sum_2"));
+    QCOMPARE(rig.graph.rename(*rig.graph.find("sum"), "tissue", ""), std::string());
+    QCOMPARE(rig.graph.unused_name("sum", ""), std::string("sum"));
+  }
 };
 
 QTEST_APPLESS_MAIN(TestWiring)
