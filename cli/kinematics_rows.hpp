@@ -15,10 +15,13 @@ namespace trocar::cli {
 
 /// What the row of a table of poses is about.
 struct KinematicsRow {
-  Vector6d given;  // q, or the pose coordinates (xe, ye, ze, alpha, beta, theta)
+  Vector6d given;     // q, or the pose coordinates (xe, ye, ze, alpha, beta, theta)
+  Vector6d velocity;  // q'
   LaparoscopeGeometry geometry;
   LaparoscopeMasses masses;
   Eigen::Vector3d gravity;  // [m/s^2]
+  Vector6d effort;          // of the actuators [N, N m]
+  Vector6d wrench;          // on the tool: (force; moment about E) [N, N m]
 };
 
 /// What was computed of a row.
@@ -28,22 +31,29 @@ struct KinematicsResult {
   std::string limits;          // violated, separated by ';'
 };
 
+/// Which columns of its own, beside those of the question, a row may bring.
+enum class KinematicsOwn {
+  geometry,
+  weight,  // also masses and gravity
+  motion   // also inertias, efforts and a wrench
+};
+
 /// One of the questions that `trocar kinematics` answers row by row.
 struct KinematicsQuestion {
   std::string name;                  // "fk"
   std::string doc;                   // one line
-  std::vector<std::string> given;    // columns that the input must have
+  std::vector<std::string> given;    // columns that the input must have: six, or twelve with q'
   std::vector<std::string> results;  // columns of the output
-  bool needs_masses = false;
+  KinematicsOwn own = KinematicsOwn::geometry;
   KinematicsResult (*answer)(const KinematicsRow& row) = nullptr;  // may throw invalid_argument
 };
 
-/// fk, ik, jacobian and gravity.
+/// fk, ik, jacobian, gravity and dynamics.
 std::span<const KinematicsQuestion> kinematics_questions();
 
 /// Answers `question` for each row of a CSV text. Columns are named as in
 /// tests/data/laparoscope/README.md; those not needed are ignored. A row may bring geometry,
-/// masses and gravity of its own: where such a column is missing, or its field is empty, the
+/// masses, gravity and loads of its own: where such a column is missing, or its field is empty, the
 /// default holds. Without a column `id` the rows are numbered from 1.
 class KinematicsTable {
  public:

@@ -47,7 +47,8 @@ class TestCompletion : public QObject {
     };
     const QString wall = "scripts/tutorial/01_feel_a_wall.lua";
     row("commands", {"li"}, {"list"});
-    row("commands of a command", {"kinematics", ""}, {"fk", "gravity", "ik", "jacobian"});
+    row("commands of a command", {"kinematics", ""},
+        {"dynamics", "fk", "gravity", "ik", "jacobian"});
     row("options", {"run", "--cl"}, {"--clock"});
     row("options behind an operand", {"run", wall, "--re"}, {"--record"});
     row("options where nothing else can follow", {"describe", "Wall", ""},

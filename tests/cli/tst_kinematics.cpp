@@ -16,6 +16,9 @@ namespace {
 const std::string vectors_path =
     std::string(TROCAR_SOURCE_DIR) + "/tests/data/laparoscope/vectors.csv";
 
+const std::string dynamics_path =
+    std::string(TROCAR_SOURCE_DIR) + "/tests/data/laparoscope/dyn.csv";
+
 const QByteArray straight = "q1,q2,q3,phi1,phi2,phi3\n-.25,-.25,-.25,0,2.0943951,4.1887902\n";
 
 QByteArray read_file(const std::string& path) {
@@ -40,6 +43,35 @@ QString limits_of(const CsvTable::Row& row) {
   for (unsigned i = 0; i < trocar::LimitSet::count; ++i)
     if (violated.has(i)) names << trocar::LimitSet::name(i);
   return names.join(';');
+}
+
+/// The rows of the poses and those of the dynamics side by side.
+QByteArray joined_vectors() {
+  const QList<QByteArray> poses = read_file(vectors_path).trimmed().split('\n');
+  const QList<QByteArray> motions = read_file(dynamics_path).trimmed().split('\n');
+  QByteArray joined;
+  for (qsizetype i = 0; i < std::min(poses.size(), motions.size()); ++i)
+    joined += poses[i].trimmed() + motions[i].trimmed().mid(motions[i].indexOf(',')) + '\n';
+  return joined;
+}
+
+/// Largest difference over the largest expected number.
+double relative_difference(const CsvTable::Row& got, const CsvTable::Row& expected,
+                           const std::vector<std::string>& columns) {
+  return relative_error(got.vector(columns), expected.vector(columns));
+}
+
+std::vector<std::string> six(const std::string& name) {
+  std::vector<std::string> names;
+  for (int i = 1; i <= 6; ++i) names.push_back(name + std::to_string(i));
+  return names;
+}
+
+std::vector<std::string> upper_triangle(const std::string& name) {
+  std::vector<std::string> names;
+  for (int i = 1; i <= 6; ++i)
+    for (int j = i; j <= 6; ++j) names.push_back(name + std::to_string(i) + std::to_string(j));
+  return names;
 }
 
 QByteArray cell(const QByteArray& out, const QByteArray& column, int row = 1) {
@@ -118,6 +150,78 @@ class TestKinematics : public QObject {
                                 .arg(error)));
       }
     }
+  }
+
+  void dynamics_of_every_row_of_the_vectors() {
+    const QByteArray input = joined_vectors();
+    const Ran ran = run_trocar({"kinematics", "dynamics"}, input);
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.status, 0);
+    const CsvTable poses(vectors_path), motions(dynamics_path);
+    const CsvTable result = table(QByteArray(ran.out).replace(",,\n", ",-,-\n"));
+    QCOMPARE(result.rows().size(), motions.rows().size());
+    for (std::size_t i = 0; i < result.rows().size(); ++i) {
+      const auto &got = result.rows()[i], &expected = motions.rows()[i];
+      QCOMPARE(got.text("id"), expected.text("id"));
+      const auto verify = [&](const char* what, double error, double tolerance) {
+        QVERIFY2(error <= tolerance, qPrintable(QString("%1 of %2 is off by %3")
+                                                    .arg(what, expected.text("id").c_str())
+                                                    .arg(error)));
+      };
+      verify("M", relative_difference(got, expected, upper_triangle("M")), 1e-9);
+      verify("c", relative_difference(got, expected, six("c")), 1e-6);
+      verify("tau", relative_difference(got, expected, six("tau")), 1e-10);
+      verify("taug",
+             (got.vector(six("taug")) - poses.rows()[i].vector(six("taug"))).cwiseAbs().maxCoeff(),
+             1e-10);
+      // No efforts in the files, so that the rest of the equation has to vanish.
+      trocar::Matrix6d m;
+      for (int r = 0; r < 6; ++r)
+        for (int c = r; c < 6; ++c)
+          m(r, c) = m(c, r) = expected.number("M" + std::to_string(r + 1) + std::to_string(c + 1));
+      const Eigen::VectorXd loads = expected.vector(six("tau")) - expected.vector(six("c")) -
+                                    poses.rows()[i].vector(six("taug"));
+      verify("qdd", relative_error(m * got.vector(six("qdd")), loads), 1e-6);
+    }
+  }
+
+  void the_weight_that_is_held_does_not_accelerate() {
+    const QByteArray header = "q1,q2,q3,phi1,phi2,phi3,qd1,qd2,qd3,qd4,qd5,qd6";
+    const QByteArray state = "-.27,-.25,-.24,.1,2.0943951,4.1887902,0,0,0,0,0,0";
+    const Ran free = run_trocar({"kinematics", "dynamics"}, header + "\n" + state + "\n");
+    QByteArray efforts;
+    for (const char* axis : {"taug1", "taug2", "taug3", "taug4", "taug5", "taug6"})
+      efforts += "," + cell(free.out, axis);
+    const Ran held = run_trocar({"kinematics", "dynamics"},
+                                header + ",u1,u2,u3,u4,u5,u6\n" + state + efforts + "\n");
+    QVERIFY(std::abs(cell(free.out, "qdd1").toDouble()) > 1.0);
+    for (const char* axis : {"qdd1", "qdd2", "qdd3", "qdd4", "qdd5", "qdd6"})
+      QVERIFY(std::abs(cell(held.out, axis).toDouble()) < 1e-9);
+  }
+
+  void what_dynamics_cannot_answer_has_its_reason_data() {
+    QTest::addColumn<QByteArray>("columns");
+    QTest::addColumn<QByteArray>("fields");
+    QTest::addColumn<QByteArray>("reason");
+    QTest::newRow("an inertia below zero")
+        << QByteArray("I_tt") << QByteArray("-1")
+        << QByteArray("I_tt: masses: tool_transverse = -1: needs a value of at least 0");
+    QTest::newRow("a gravity that is none")
+        << QByteArray("gz") << QByteArray("nan") << QByteArray("\"gx, gy, gz: gravity must be");
+    QTest::newRow("nothing that moves has inertia")
+        << QByteArray("m_sl,m_lk,m_pl,m_tool,m_ee,I_tt,I_ta,I_ee,I_ring_eff")
+        << QByteArray("0,0,0,0,0,0,0,0,0") << QByteArray("the mass matrix is singular");
+  }
+  void what_dynamics_cannot_answer_has_its_reason() {
+    QFETCH(QByteArray, columns);
+    QFETCH(QByteArray, fields);
+    QFETCH(QByteArray, reason);
+    const Ran ran = run_trocar({"kinematics", "dynamics"},
+                               columns + ",q1,q2,q3,phi1,phi2,phi3,qd1,qd2,qd3,qd4,qd5,qd6\n" +
+                                   fields + ",-.25,-.25,-.25,0,2.0943951,4.1887902,0,0,0,0,0,0\n");
+    QCOMPARE(ran.status, 0);
+    QCOMPARE(cell(ran.out, "qdd6"), QByteArray("nan"));
+    QVERIFY2(ran.out.contains(reason), ran.out);
   }
 
   void what_fk_says_ik_takes_back() {
