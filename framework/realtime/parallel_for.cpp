@@ -69,7 +69,7 @@ void parallel_for(std::size_t count, const ParallelOptions& options,
       }
     });
   while (pieces.do_one())
-    if (options.progress) options.progress(pieces.done());
+    if (options.progress) options.progress(pieces.done(), count);
   helpers.clear();  // joins
   pieces.rethrow();
 }

@@ -8,8 +8,8 @@ namespace trocar {
 
 struct ParallelOptions {
   unsigned threads = 0;  // the calling one is among them; 0: one for each processor
-  /// Called on the calling thread between its own pieces, with how many are done in all.
-  std::function<void(std::size_t done)> progress = {};
+  /// Called on the calling thread between its own pieces, with how many are done of how many.
+  std::function<void(std::size_t done, std::size_t count)> progress = {};
 };
 
 /// Calls work(0) to work(count - 1), each once, and waits for all. Each thread takes the next piece

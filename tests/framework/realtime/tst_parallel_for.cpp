@@ -58,8 +58,11 @@ class TestParallelFor : public QObject {
 
   void progress_grows_to_all_when_nobody_helps() {
     std::vector<std::size_t> told;
-    parallel_for(4, {.threads = 1, .progress = [&](std::size_t done) { told.push_back(done); }},
-                 [](std::size_t) {});
+    const auto progress = [&](std::size_t done, std::size_t count) {
+      QCOMPARE(count, std::size_t{4});
+      told.push_back(done);
+    };
+    parallel_for(4, {.threads = 1, .progress = progress}, [](std::size_t) {});
     QCOMPARE(told, (std::vector<std::size_t>{1, 2, 3, 4}));
   }
 
@@ -68,7 +71,7 @@ class TestParallelFor : public QObject {
     bool elsewhere = false;
     std::size_t last = 0;
     bool shrank = false;
-    const auto progress = [&](std::size_t done) {
+    const auto progress = [&](std::size_t done, std::size_t) {
       elsewhere |= std::this_thread::get_id() != caller;
       shrank |= done < last;
       last = done;
