@@ -24,5 +24,6 @@ void add_info(CLI::App& app, int& status);
 void add_kinematics(CLI::App& app, int& status);
 void add_list(CLI::App& app, int& status);
 void add_run(CLI::App& app, int& status);
+void add_workspace(CLI::App& app, int& status);
 
 }  // namespace trocar::cli

@@ -23,7 +23,8 @@ using Eigen::Vector3d;
 constexpr std::size_t tips_of_a_piece = 1024;
 constexpr std::size_t poses_of_a_piece = 8192;
 constexpr std::size_t most_cells = 200'000;
-constexpr std::size_t fewest_points = 256, most_points = std::size_t{1} << 24;
+constexpr std::size_t fewest_points = 256;
+constexpr std::size_t most_points = std::size_t{1} << 26;  // of all shifts; memory for 1 GB
 constexpr std::size_t most_shifts = 1024;
 
 void require(bool holds, const char* what, double value, const char* allowed) {
@@ -37,13 +38,14 @@ void validate(const WorkspaceSettings& s) {
   validate(s.efforts);
   require(s.shifts >= 2 && s.shifts <= most_shifts, "shifts", static_cast<double>(s.shifts),
           "needs 2 to 1024 for a standard error, e.g. 16");
-  const auto whole = [](std::size_t n) {
-    return std::has_single_bit(n) && n >= fewest_points && n <= most_points;
+  const auto points = [&s](const char* what, std::size_t n, const char* example) {
+    const auto value = static_cast<double>(n);
+    require(std::has_single_bit(n) && n >= fewest_points, what, value, example);
+    require(n <= most_points / s.shifts, what, value,
+            "is too many: shifts times this may be 67108864 at most");
   };
-  require(whole(s.tips), "tips", static_cast<double>(s.tips),
-          "needs a power of 2 from 256 to 16777216, e.g. 8192");
-  require(whole(s.poses), "poses", static_cast<double>(s.poses),
-          "needs a power of 2 from 256 to 16777216, e.g. 65536");
+  points("tips", s.tips, "needs a power of 2, at least 256, e.g. 8192");
+  points("poses", s.poses, "needs a power of 2, at least 256, e.g. 65536");
   require(s.gravity.allFinite(), "gravity", s.gravity.norm(), "needs finite numbers in m/s^2");
 }
 

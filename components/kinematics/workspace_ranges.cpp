@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "components/devices/seeded_random.hpp"
@@ -14,6 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Place = Eigen::Matrix<double, 5, 1>;  // tip and slopes
+using Height = std::function<double(const Place&)>;
 
 /// Whether the tool fits with these slopes and depth, wherever the star's centre is.
 bool some_centre_fits(const LaparoscopeReach& reach, const LaparoscopeGeometry& geometry,
@@ -42,9 +44,9 @@ bool some_centre_fits(const LaparoscopeReach& reach, const LaparoscopeGeometry& 
 }
 
 /// Climbs from `start` as far as the limits let it.
-double climb(const LaparoscopeReach& reach, Place start, const Place& spans,
-             const std::function<double(const Place&)>& height, SeededRandom& random) {
-  constexpr int levels = 40, trials = 2000;
+double climb(const LaparoscopeReach& reach, Place start, const Place& spans, const Height& height,
+             SeededRandom& random) {
+  constexpr int levels = 40, trials = 1000;
   double best = height(start);
   double scale = 0.1;
   for (int level = 0; level < levels; ++level, scale *= 0.75)
@@ -62,6 +64,18 @@ double climb(const LaparoscopeReach& reach, Place start, const Place& spans,
 
 Place place_of(const WorkspacePose& pose) {
   return (Place() << pose.tip, pose.slopes).finished();
+}
+
+/// A few, since a climb from one may end in a corner.
+std::vector<Place> best_places(const std::vector<WorkspacePose>& poses, const Height& height) {
+  const std::size_t starts = std::min<std::size_t>(poses.size(), 5);
+  std::vector<Place> places;
+  for (const WorkspacePose& pose : poses) places.push_back(place_of(pose));
+  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(starts);
+  std::partial_sort(places.begin(), middle, places.end(),
+                    [&](const Place& a, const Place& b) { return height(a) > height(b); });
+  places.resize(starts);
+  return places;
 }
 
 }  // namespace
@@ -118,16 +132,15 @@ WorkspaceExtent workspace_extent(const WorkspaceSettings& settings,
       (Place() << bounds.radius, bounds.radius, bounds.high - bounds.low, steepest, steepest)
           .finished();
   SeededRandom random(settings.seed);
+  const auto highest = [&](Eigen::Index axis, double sign) {
+    const auto height = [axis, sign](const Place& p) { return sign * p[axis]; };
+    double best = -std::numeric_limits<double>::infinity();
+    for (const Place& start : best_places(poses, height))
+      best = std::max(best, climb(reach, start, spans, height, random));
+    return best;
+  };
   const auto range = [&](Eigen::Index axis) {
-    const auto lower = [&](const WorkspacePose& a, const WorkspacePose& b) {
-      return place_of(a)[axis] < place_of(b)[axis];
-    };
-    const auto [low, high] = std::minmax_element(poses.begin(), poses.end(), lower);
-    return Range{
-        -climb(
-            reach, place_of(*low), spans, [&](const Place& p) { return -p[axis]; }, random),
-        climb(
-            reach, place_of(*high), spans, [&](const Place& p) { return p[axis]; }, random)};
+    return Range{-highest(axis, -1.0), highest(axis, 1.0)};
   };
   const auto angles = [](const Range& slope) {
     return Range{std::atan(slope.low), std::atan(slope.high)};

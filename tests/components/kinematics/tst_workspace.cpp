@@ -273,7 +273,8 @@ class TestWorkspace : public QObject {
     QTest::addColumn<QString>("message");
     QTest::newRow("one shift has no error") << 0 << "workspace: shifts = 1: needs 2 to 1024";
     QTest::newRow("tips that are no power of 2") << 1 << "workspace: tips = 1000: needs a power";
-    QTest::newRow("too few poses") << 2 << "workspace: poses = 128: needs a power of 2 from 256";
+    QTest::newRow("too few poses") << 2 << "workspace: poses = 128: needs a power of 2, at least";
+    QTest::newRow("more poses than memory") << 8 << "workspace: poses = 3.35544e+07: is too many";
     QTest::newRow("a cell without size") << 3 << "workspace: cell = 0: needs an edge above 0 m";
     QTest::newRow("cells too small") << 4 << "workspace: cell = 0.0001: gives more than 200000";
     QTest::newRow("an effort below 0") << 5 << "efforts: ring_peak = -1: needs at least 0 N m";
@@ -291,6 +292,7 @@ class TestWorkspace : public QObject {
     if (which == 4) s.cell = 1e-4;
     if (which == 5) s.efforts.ring_peak = -1.0;
     if (which == 6) s.geometry.tool_length = -1.0;
+    if (which == 8) s.poses = std::size_t{1} << 25;
     if (which == 7) s.masses.tool = -1.0;
     try {
       sample_workspace(s);
