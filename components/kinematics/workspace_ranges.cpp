@@ -112,6 +112,7 @@ double tilt_range(const LaparoscopeGeometry& geometry, const LaparoscopeLimits& 
     const auto fits = [&](double tilt) {
       return some_centre_fits(reach, geometry, limits, std::tan(tilt) * direction, depth);
     };
+    if (!fits(0.0)) return std::numeric_limits<double>::quiet_NaN();
     if (fits(range)) continue;
     double low = 0.0, high = range;
     for (int halving = 0; halving < halvings; ++halving)

@@ -184,6 +184,12 @@ class TestWorkspace : public QObject {
     QVERIFY2(found >= tilt && found < tilt + 0.6, qPrintable(QString::number(found)));
   }
 
+  void where_the_upright_tool_does_not_fit_there_is_no_tilt() {
+    QVERIFY(std::isnan(tilt_range({}, {}, 0.0252)));  // the sliders end 0.1 mm before
+    QVERIFY(std::isnan(tilt_range({}, {}, 0.1451)));
+    QVERIFY(tilt_range({}, {}, 0.145) < 0.1 * degree);
+  }
+
   void conditioning_and_force_are_the_known_ones() {
     for (const EngagementBand& band : by_engagement(default_.poses, {}, 0.02)) {
       const DexteritySpread& d = band.dexterity;
