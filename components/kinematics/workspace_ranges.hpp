@@ -25,8 +25,8 @@ double roll_range(const LaparoscopeGeometry& geometry, const LaparoscopeLimits& 
                   double translation);
 
 /// The tilt that is reached in every direction, each with the centre of the star where it suits
-/// best, while the ball joint is `depth` behind the ring plane [rad]; NaN where not even the upright
-/// tool fits.
+/// best, while the ball joint is `depth` behind the ring plane [rad]; NaN where not even the
+/// upright tool fits.
 /// @param depth zt + zd [m]
 double tilt_range(const LaparoscopeGeometry& geometry, const LaparoscopeLimits& limits,
                   double depth);
