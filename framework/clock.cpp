@@ -39,7 +39,7 @@ Slot PeriodicClock::wait() RT_SAFE {
     now = time_.now();
   }
   if (now < due) now = spin_until(due);
-  return {index, now - due, skipped, overrun};
+  return {index, now - due, skipped, overrun, now};
 }
 
 std::int64_t PeriodicClock::spin_until(std::int64_t due) RT_SAFE {

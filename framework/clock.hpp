@@ -14,6 +14,7 @@ struct Slot {
   std::int64_t lateness_ns = 0;  // of the tick's beginning, to the slot itself
   std::int64_t skipped = 0;      // slots before it that nobody used
   std::int64_t overrun_ns = 0;   // how long the tick before went on after its next slot was due
+  std::int64_t date_ns = 0;      // when its tick begins, on CLOCK_MONOTONIC; 0 in virtual time
 };
 
 /// What paces the loop.

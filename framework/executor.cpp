@@ -67,11 +67,12 @@ void Executor::stop(const Slot& last, bool simulated) RT_SAFE {
 
 void Executor::tick(const Slot& slot, bool simulated) RT_SAFE {
   simulated_ = simulated;
-  const std::int64_t begin = options_.timing || !simulated ? monotonic_ns() : 0;
+  const std::int64_t begin = options_.timing ? monotonic_ns() : 0;
   const Tick tick = tick_of(slot.index);
   judge_time(tick, slot);
-  if (const std::int64_t silent_ns = simulated ? 0 : heartbeat_.beat(begin); silent_ns > 0)
-    judge_silence(tick, silent_ns);
+  if (slot.date_ns != 0)
+    if (const std::int64_t silent_ns = heartbeat_.beat(slot.date_ns); silent_ns > 0)
+      judge_silence(tick, silent_ns);
   take_commands(tick);
   move_ramps();
   exchange_.receive(tick, simulated);

@@ -29,7 +29,10 @@ class BenchGraph {
     executor.emplace(wired->main(), ExecutorOptions{.timing = timing, .commands = &commands});
     executor->start();
   }
-  void tick() { executor->tick({.index = next_++}, false); }
+  void tick() {
+    executor->tick({.index = next_, .date_ns = next_ + 1}, false);  // a date: the heart beats
+    ++next_;
+  }
 
   Registry types;
   Graph graph{types};

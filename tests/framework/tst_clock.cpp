@@ -74,6 +74,7 @@ class TestClock : public QObject {
       // Elapsed time over the period is slots used and skipped, to the nanosecond.
       QCOMPARE(slot.index, used + skipped - 1);
       QCOMPARE(begin - slot.lateness_ns, start + slot.index * period);
+      QCOMPARE(slot.date_ns, begin);
       QVERIFY(slot.lateness_ns >= 0);
       time.spend(some(i % 100 == 0 ? 4.0 : 0.3));
       const std::int64_t late = time.now_ns + time.look_ns - (start + (slot.index + 1) * period);

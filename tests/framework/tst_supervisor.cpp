@@ -27,7 +27,8 @@ struct StallRig : ExecutorRig {
     start({.overload = {.policy = policy}});
   }
   void tick(int count) {
-    for (int i = 0; i < count; ++i) executor->tick({.index = next++}, false);
+    for (int i = 0; i < count; ++i)
+      executor->tick({.index = next++, .date_ns = monotonic_ns()}, false);
     drain();
   }
   /// As if nothing had come from the loop for so long.
