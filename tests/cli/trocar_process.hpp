@@ -24,4 +24,11 @@ inline Ran run_trocar(const QStringList& arguments, const QByteArray& input = {}
           process.readAllStandardError()};
 }
 
+/// Whether util-linux's `script` can give a program a terminal; a bare chroot has no /dev/pts.
+inline bool terminals_are_possible() {
+  QProcess process;
+  process.start("script", {"-qec", "true", "/dev/null"});
+  return process.waitForFinished(60'000) && process.exitCode() == 0;
+}
+
 }  // namespace trocar::test
