@@ -6,7 +6,7 @@
 namespace trocar {
 
 std::int64_t heartbeat_patience(std::int64_t period_ns) {
-  constexpr std::int64_t longest = 6'000'000;  // [ns]
+  constexpr std::int64_t longest = 4'800'000;  // [ns]
   return std::max(std::min(3 * period_ns, longest), period_ns + period_ns / 2);
 }
 

@@ -10,9 +10,9 @@
 
 namespace trocar {
 
-/// How long a loop that moves a device may be silent [ns]: 3 periods, at most 6 ms, so that the
-/// safe command is out before the firmware's own 8 ms are over. A period that is longer than 4 ms
-/// counts one and a half times.
+/// How long a loop that moves a device may be silent [ns]: 3 periods, at most 4.8 ms, so that with
+/// the quarter that may pass until the next look its devices are told before 6 ms are over, and the
+/// firmware's own 8 ms are not. Where one and a half periods are more than that, it is these.
 std::int64_t heartbeat_patience(std::int64_t period_ns);
 
 /// Watches the loops that move devices, from a thread of a higher priority. A loop that hangs can

@@ -3,25 +3,12 @@
 
 #include <cmath>
 
+#include "framework/scripting/run_options.hpp"
 #include "framework/scripting/script_context.hpp"
 #include "framework/text.hpp"
 
 namespace trocar::lua {
 namespace {
-
-double number_in(const Literal& value, const char* unit, const std::string& what) {
-  const auto* number = value.as<double>();
-  if (number != nullptr && *number == 0.0) return 0.0;
-  if (const auto* text = value.as<std::string>()) {
-    try {
-      const Quantity read = parse_quantity(*text);
-      if (read.unit.dimension == parse_unit(unit).dimension) return read.value;
-    } catch (const UnitError&) {
-    }
-  }
-  throw std::invalid_argument(
-      fmt::format("{} = {}: needs {}, e.g. \"1 {}\"", what, value.text(), unit, unit));
-}
 
 int whole_number_in(const Literal& value, const std::string& what) {
   const auto* number = value.as<double>();
@@ -45,9 +32,9 @@ Graph::Thread read_thread(lua_State* state, std::string& name) {
                         what, value.text()));
       name = *text;
     } else if (key.text == "rate") {
-      thread.rate = number_in(value, "Hz", what);
+      thread.rate = quantity(value, "Hz", what);
     } else if (key.text == "phase") {
-      thread.phase = number_in(value, "s", what);
+      thread.phase = quantity(value, "s", what);
     } else if (key.text == "priority") {
       thread.priority = whole_number_in(value, what);
     } else if (key.text == "processor") {
@@ -169,7 +156,7 @@ Connection read_connection(lua_State* state, Connection::Kind kind) {
     const Literal value = to_literal(state, -1);
     lua_pop(state, 1);
     if (key.text == "stale") {
-      connection.stale = number_in(value, "s", "stale");
+      connection.stale = quantity(value, "s", "stale");
       if (!(connection.stale > 0.0))
         throw std::invalid_argument(fmt::format("stale = {}: needs more than 0 s", value.text()));
     } else if (key.text == "size" && kind == Connection::Kind::queue) {
