@@ -45,7 +45,7 @@ void Laparoscope::build(GroupScope& scope) {
   }
   for (const char* name : {"pose", "twist", "jacobian", "angles"})
     exports.outputs[name] = {tool, name};
-  for (const char* name : {"position", "effort_sent", "effort_applied", "scale"})
+  for (const char* name : {"position", "effort_sent", "effort_applied", "scale", "report_age"})
     exports.outputs[name] = {motors, name};
   exports.outputs["velocity"] = {velocity, "velocity"};
   exports.outputs["wrench"] = {statics, "wrench"};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "components/devices/simulated_laparoscope_parameters.hpp"
+#include "components/devices/laparoscope_use_parameters.hpp"
 #include "components/kinematics/laparoscope_parameters.hpp"
 #include "framework/group.hpp"
 

@@ -56,9 +56,16 @@ SimulatedHand::SimulatedHand(const HandSettings& s) : settings_(s) {
   at_least_0("push.start", s.push.start);
   require(s.push.rise > 0.0, "push.rise", s.push.rise, "a time above 0 s, e.g. 1.0");
   require(s.push.dwell >= 0.0, "push.dwell", s.push.dwell, "a time of at least 0 s, e.g. 1.0");
+  require(s.relaxed_grip >= 0.0 && s.relaxed_grip <= 1.0, "relaxed_grip", s.relaxed_grip,
+          "a share from 0 to 1");
+  require(s.push.bow.allFinite(), "length of push.bow", s.push.bow.norm(), "finite numbers");
   const double length = s.push.direction.norm();
   require(std::abs(length - 1.0) <= 1e-9, "length of push.direction", length,
           "a unit vector, e.g. {0, 0, 1}");
+  if (s.mode != HandMode::relaxed) return;
+  for (double* each : {&settings_.damping, &settings_.stiffness, &settings_.rotational_damping,
+                       &settings_.rotational_stiffness})
+    *each *= s.relaxed_grip;
 }
 
 void SimulatedHand::grasp(const Tool::State& tool) RT_SAFE {
@@ -69,13 +76,15 @@ void SimulatedHand::grasp(const Tool::State& tool) RT_SAFE {
 Vector3d SimulatedHand::target(double time) const RT_SAFE {
   if (settings_.mode != HandMode::pushes) return rest_;
   const PushSettings& push = settings_.push;
-  return rest_ + push.depth * stroke(push, time).depth * push.direction;
+  const double u = stroke(push, time).depth;
+  return rest_ + push.depth * u * push.direction + 4.0 * u * (1.0 - u) * push.bow;
 }
 
 Vector3d SimulatedHand::target_velocity(double time) const RT_SAFE {
   if (settings_.mode != HandMode::pushes) return Vector3d::Zero();
   const PushSettings& push = settings_.push;
-  return push.depth * stroke(push, time).rate * push.direction;
+  const Stroke s = stroke(push, time);
+  return s.rate * (push.depth * push.direction + 4.0 * (1.0 - 2.0 * s.depth) * push.bow);
 }
 
 Vector6d SimulatedHand::spring_wrench(const Tool::State& tool, double time) const RT_SAFE {

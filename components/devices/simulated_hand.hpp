@@ -5,21 +5,25 @@
 
 namespace trocar {
 
-enum class HandMode { absent, holds, pushes };
+enum class HandMode { absent, relaxed, firm, pushes };
 
-/// How a pushing hand moves its own target: from rest by a raised cosine and back,
-///   depth (1 - cos(pi s / rise)) / 2,
-/// staying for `dwell` at either end, over and over.
+/// How a pushing hand moves its own target: along a path that bows sideways as a parabola,
+///   x_h = x_0 + u depth direction + 4 u (1 - u) bow,     u = (1 - cos(pi s / rise)) / 2,
+/// and back, staying for `dwell` at either end, over and over.
 struct PushSettings {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  // unit, in N
+  Eigen::Vector3d bow = Eigen::Vector3d::Zero();         // half way, off the straight line [m]
   double depth = 0.040;                                  // [m], >= 0
   double start = 0.2;                                    // [s], >= 0
   double rise = 1.0;                                     // [s], > 0
   double dwell = 1.0;                                    // [s], >= 0; infinity: never back
 };
 
+/// The figures are those of a firm hand. How much of its stiffness and damping a relaxed one has is
+/// an assumption.
 struct HandSettings {
-  HandMode mode = HandMode::holds;
+  HandMode mode = HandMode::firm;
+  double relaxed_grip = 0.3;          // share of stiffness and damping, 0 to 1
   double mass = 0.3;                  // m_h [kg]
   double damping = 8.0;               // b_h [N s/m]
   double stiffness = 250.0;           // k_h [N/m]
@@ -33,6 +37,7 @@ struct HandSettings {
 ///   f = -m_h a - b_h (v - v_h) - k_h (x - x_h)
 ///   m = -b_r omega + k_r log(R_h R^T)
 ///
+/// A relaxed or firm hand holds the pose that it grasped, one that pushes moves its target x_h.
 /// Here stand the springs and the target (x_h, v_h, R_h); who integrates the motion treats
 /// mass and damping implicitly.
 class SimulatedHand {
@@ -50,6 +55,7 @@ class SimulatedHand {
   double potential(const Tool::State& tool, double time) const RT_SAFE;  // of the springs [J]
 
   bool present() const RT_SAFE { return settings_.mode != HandMode::absent; }
+  /// As they act: a relaxed hand's are reduced already.
   const HandSettings& settings() const RT_SAFE { return settings_; }
 
  private:

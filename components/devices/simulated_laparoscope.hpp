@@ -4,13 +4,16 @@
 #include <optional>
 
 #include "components/devices/command_receiver.hpp"
+#include "components/devices/drive_parameters.hpp"
 #include "components/devices/laparoscope_device_limits.hpp"
 #include "components/devices/laparoscope_loads.hpp"
-#include "components/devices/laparoscope_plant.hpp"
-#include "components/devices/simulated_laparoscope_parameters.hpp"
+#include "components/devices/laparoscope_use_parameters.hpp"
+#include "components/devices/link_parameters.hpp"
+#include "components/devices/mechanism_parameters.hpp"
+#include "components/devices/simulated_hand_parameters.hpp"
+#include "components/devices/simulated_truth.hpp"
 #include "components/kinematics/laparoscope_limit_parameters.hpp"
 #include "components/kinematics/laparoscope_parameters.hpp"
-#include "components/kinematics/laparoscope_units.hpp"
 #include "framework/device.hpp"
 
 namespace trocar {
@@ -18,13 +21,14 @@ namespace trocar {
 /// The laparoscopic interface as a simulation: LaparoscopePlant behind a firmware with transport
 /// delay, watchdog and brake, seeded by the run.
 ///
-///   report of tick k:   the plant has moved to t_k under what acted until then
-///   command of tick k:  acts from t_(k+delay) on; zero 8 ms after the last one arrived
+///   report of tick k:   the plant has moved to t_k under what acted until then; the encoders were
+///                       sampled up to report_jitter before, and a lost report leaves the last
+///   command of tick k:  acts from t_k + delay T on; zero 8 ms after the last one arrived
 ///
 /// `effort_applied` changes as the command is taken: in a tick others read what acted until t_k,
-/// a row holds what acts from t_k on, which is `effort_sent` of `delay` ticks before. Loads act on
-/// the tool itself, from the tick in which they are computed to the next, and never through motors
-/// or gate.
+/// a row holds what acts from t_k on, which is `effort_sent` of `delay` ticks before, rounded up.
+/// Loads act on the tool itself, from the tick in which they are computed to the next, and never
+/// through motors or gate.
 ///
 /// Skipped slots pass for the plant as for everybody, up to 1 s at a time.
 ///
@@ -42,6 +46,8 @@ class SimulatedLaparoscope final : public Device {
   void step(const Tick& tick) RT_SAFE override;
   const DeviceLimits& limits() const override { return limits_; }
   bool starts_engaged() const override { return use.start->index == 0; }
+  /// What the parameters make of the plant.
+  LaparoscopePlantSettings plant_settings(const Setup& setup) const;
 
   Input<Joints> hold{this, "hold", command("holds the weight; without it nothing does")};
   Input<Joints> effort{this, "effort", command("to be rendered")};
@@ -58,15 +64,9 @@ class SimulatedLaparoscope final : public Device {
       "effort_applied",
       {.unit = laparoscope_effort_units, .doc = "what the amplifiers make, hold included"}};
   Output<double> scale{this, "scale", {.doc = "share of `effort` that the gate let pass"}};
-  Output<Joints> truth_position{
-      this, "truth.position", {.unit = laparoscope_position_units, .doc = "where the axes are"}};
-  Output<Joints> truth_velocity{
-      this, "truth.velocity", {.unit = laparoscope_velocity_units, .doc = "of the axes"}};
-  Output<PointMotion> truth_tip{this, "truth.tip", {.frame = "device", .doc = "motion of E"}};
-  Output<Vector3> truth_hand_force{
-      this,
-      "truth.hand_force",
-      {.unit = "N", .frame = "device", .doc = "of the hand on the tool at E"}};
+  Output<double> report_age{
+      this, "report_age", {.unit = "s", .doc = "of `position`: since the encoders were sampled"}};
+  SimulatedTruth truth{this};
 
   MountParameter mount{this};
   LaparoscopeUseParameters use{this};
@@ -76,11 +76,9 @@ class SimulatedLaparoscope final : public Device {
       this, "start_angles", {.unit = "deg", .initial = "0, 0, 0", .doc = "alpha, beta, theta"}};
   LaparoscopeSiteParameters sites{this};
   SimulatedHandParameters hand{this};
-  ImperfectionParameters imperfections{this};
-  Parameter<std::int64_t> delay{
-      this,
-      "delay",
-      {.initial = "1", .min = "0", .max = "2", .doc = "[ticks] until a command acts"}};
+  DriveParameters drives{this};
+  MechanismParameters mechanism{this};
+  LinkParameters link{this};
   Parameter<double> physics_step{this,
                                  "physics_step",
                                  {.unit = "s",
@@ -115,13 +113,15 @@ class SimulatedLaparoscope final : public Device {
   Joints weight() const RT_SAFE override;
   void write(const Tick& tick, const GatedEffort& effort) RT_SAFE override;
 
-  LaparoscopePlantSettings plant_settings(const Setup& setup) const;
   AssemblyStatus own_weight(const Vector6d& position, Vector6d& holding) const RT_SAFE;
   void pass(std::int64_t period) RT_SAFE;
+  void move_through(std::int64_t period, std::int64_t sampled_ns) RT_SAFE;
+  void act(const Vector6d& command) RT_SAFE;
   void move(std::int64_t duration_ns) RT_SAFE;
   bool brake_lets_go() RT_SAFE;
   Vector6d external_wrench() const RT_SAFE;
   void report(double since_last) RT_SAFE;
+  void report_truth(double since_last) RT_SAFE;
 
   static PortOptions command(const char* doc) {
     return {.unit = laparoscope_effort_units, .doc = doc, .optional = true, .feedthrough = false};
@@ -133,12 +133,16 @@ class SimulatedLaparoscope final : public Device {
   std::optional<LaparoscopePlant> plant_;
   std::optional<LaparoscopeLoads> loads_;
   std::optional<CommandReceiver> receiver_;
+  std::optional<ReportChannel> reports_;
   std::optional<LaparoscopeGravity> weight_model_;     // the driver's own
   Eigen::Vector3d gravity_ = Eigen::Vector3d::Zero();  // in N [m/s^2]
   DeviceLimits limits_ = laparoscope_device_limits({}, 1e-3);
   std::int64_t period_ns_ = 1'000'000;
-  std::int64_t period_ = -1;            // of the last report, -1 before the first
-  Vector6d weight_ = Vector6d::Zero();  // [N, N m] at the start, by the firmware's model
+  std::int64_t period_ = -1;              // of the last report, -1 before the first
+  Vector6d weight_ = Vector6d::Zero();    // [N, N m] at the start, by the firmware's model
+  Vector6d sampled_ = Vector6d::Zero();   // by the encoders, last [m, rad]
+  Vector6d received_ = Vector6d::Zero();  // of that, what arrived last
+  std::int64_t received_at_ns_ = 0;       // when that was sampled
   AssemblyStatus reported_ = AssemblyStatus::ok;
   bool braked_ = false;
 };

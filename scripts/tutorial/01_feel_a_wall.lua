@@ -15,11 +15,11 @@ trocar.Wall {
 
 -- Try it:
 --   trocar run scripts/tutorial/01_feel_a_wall.lua --for 5s --clock simulated
--- The tip goes 3.6 mm into the wall, which pushes back along z, against the hand:
+-- The tip goes 3.7 mm into the wall, which pushes back along z, against the hand:
 -->   time [s]                tip [mm]   force of wall [N]
 -->                  x       y       z                   z
 -->       0.00    0.37    0.05   84.95                0.00
--->       1.28    0.53    0.08  105.21               -0.46
--->       5.00    0.83    0.06  108.62               -7.97
--->   wall pushed hardest at 1.97 s, with 7.97 N; at the end with 7.97 N
+-->       1.28    0.54    0.07  105.14               -0.32
+-->       5.00    0.83    0.06  108.71               -8.16
+-->   wall pushed hardest at 1.93 s, with 8.16 N; at the end with 8.16 N
 -->   no faults

@@ -25,10 +25,10 @@ end
 -- Try it (four minutes of virtual time take some seconds):
 --   trocar run scripts/tutorial/02_incision.lua --clock simulated
 -- Slopes are in N/m, as all numbers inside are SI:
---> run 1: 60.000 s at 4000 Hz, spring up to 18.78 N, staircase up to 18.00 N, no faults
+--> run 1: 60.000 s at 4000 Hz, spring up to 18.74 N, staircase up to 18.00 N, no faults
 --> table1
 -->   axis  desired  r2        slope
--->   x     5 N/mm   0.999834  4811.44
--->   x     15 N/mm  0.999914  14402.5
--->   y     6 N/mm   0.999866  5801.95
--->   y     18 N/mm  0.999918  17396.4
+-->   x     5 N/mm   0.999783  4821.24
+-->   x     15 N/mm  0.999882  14412.9
+-->   y     6 N/mm   0.999807  5802.68
+-->   y     18 N/mm  0.999933  17386.6

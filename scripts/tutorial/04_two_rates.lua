@@ -28,9 +28,9 @@ surface:latest { stale = "30 ms" }:to(wall.offset)
 -- Try it:
 --   trocar run scripts/tutorial/04_two_rates.lua --for 8s --clock simulated
 -- The hand pushes with the same force; the surface goes out and in with the breath, and yields:
--->       2.05    0.87    0.05  112.46               -6.81
--->       4.10    0.99    0.05  114.12               -8.78
--->       8.00    0.34    0.06   87.48                0.00
+-->       2.05    0.88    0.04  112.42               -6.77
+-->       4.10    0.99    0.04  113.98               -8.64
+-->       8.00    0.37    0.04   87.18                0.00
 -->   thread servo: 8000 ticks at 1000 Hz
 -->   thread scene: 800 ticks at 100 Hz
 -->   no faults

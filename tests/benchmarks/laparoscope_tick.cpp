@@ -63,14 +63,7 @@ class FeelAWall {
 StraightSettings settings_as_in(const FeelAWall& graph) {
   const SimulatedLaparoscope& device = *graph.device;
   StraightSettings settings;
-  settings.plant.geometry = device.geometry.value();
-  settings.plant.masses = device.imperfections.masses(device.masses.value(), false);
-  settings.plant.limits = device.ranges.value();
-  settings.plant.hand = device.hand.value(HandMode::pushes);
-  settings.plant.imperfections = device.imperfections.value(false);
-  settings.plant.gravity = device.mount.gravity();
-  settings.plant.start = {device.start_position->eigen(), 0.0, 0.0, 0.0};
-  settings.plant.seed = seed_of_device();
+  settings.plant = device.plant_settings({.seed = seed_of_device()});
   settings.nominal = device.masses.value();
   settings.wall = {graph.wall->point->eigen(), graph.wall->normal->eigen(), *graph.wall->stiffness};
   return settings;
@@ -85,7 +78,7 @@ std::string difference(const FeelAWall& graph, const StraightLaparoscope& straig
   if (tool.twist->eigen() != straight.twist.eigen()) return "the twist differs";
   if (tool.angles->eigen() != straight.angles.eigen()) return "the angles differ";
   if (graph.wall->force->eigen() != straight.contact.force) return "the wall's force differs";
-  if (graph.device->truth_hand_force->eigen() != straight.hand_force.eigen())
+  if (graph.device->truth.hand_force->eigen() != straight.hand_force.eigen())
     return "the hand's force differs";
   if (graph.device->effort_sent->head<6>() != straight.effort_sent) return "the effort differs";
   return "";

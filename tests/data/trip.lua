@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- A hand holds the handle; after 6 s a wall jumps into the tool, which trips.
-local laparoscope = trocar.Laparoscope { hand = "hold" }
+local laparoscope = trocar.Laparoscope { hand = "firm" }
 local jump = trocar.Step { to = "60 mm", at = "6 s" }
 local wall = trocar.Wall {
   at = laparoscope.tip,

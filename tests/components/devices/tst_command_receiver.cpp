@@ -39,6 +39,35 @@ class TestCommandReceiver : public QObject {
     }
   }
 
+  void a_part_of_a_period_is_kept_to_the_nanosecond_data() {
+    QTest::addColumn<double>("delay");
+    QTest::addColumn<int>("whole");
+    QTest::addColumn<qint64>("part_ns");
+    QTest::newRow("half a period") << 0.5 << 0 << qint64(500'000);
+    QTest::newRow("one and a quarter") << 1.25 << 1 << qint64(250'000);
+    QTest::newRow("a third") << 1.0 / 3.0 << 0 << qint64(333'333);
+    QTest::newRow("nearly two") << 1.9999999999 << 2 << qint64(0);
+  }
+  void a_part_of_a_period_is_kept_to_the_nanosecond() {
+    QFETCH(double, delay);
+    QFETCH(int, whole);
+    QFETCH(qint64, part_ns);
+    CommandReceiver receiver(ms, delay);
+    receiver.start(0, effort(-1.0));
+    QCOMPARE(receiver.arrives_after(), part_ns);
+    for (std::int64_t k = 0; k < 20; ++k) {
+      receiver.send(k, effort(static_cast<double>(k)), (k + 3) * ms);
+      receiver.begin(k);
+      if (part_ns > 0) {
+        QCOMPARE(receiver.effort()[0], k - 1 < whole ? -1.0 : static_cast<double>(k - 1 - whole));
+        receiver.arrive(k);
+      }
+      QCOMPARE(receiver.effort()[0], k < whole ? -1.0 : static_cast<double>(k - whole));
+    }
+    // Nothing more is sent: 8 ms after the last arrival.
+    QCOMPARE(receiver.acts_for(19 + 8), part_ns);
+  }
+
   void the_watchdog_ends_it_8_ms_after_the_last_arrival_data() {
     QTest::addColumn<qint64>("period_ns");
     QTest::addColumn<int>("whole");       // periods in which it acts

@@ -64,10 +64,10 @@ class TestLaparoscope : public QObject {
       settings.push_back({"laparoscope.mount", mount.toStdString()});
       LaparoscopeRig rig(settings);
       rig.start();
-      const Vector3d before = rig.device->truth_tip->position.eigen();
+      const Vector3d before = rig.device->truth.tip->position.eigen();
       QVERIFY((before - pose.tip).norm() < 1e-12);
       rig.run(1001);
-      worst = std::max(worst, (rig.device->truth_tip->position.eigen() - before).norm());
+      worst = std::max(worst, (rig.device->truth.tip->position.eigen() - before).norm());
       QVERIFY(!rig.executor->faults().latched());
     }
     qInfo("largest drift in 1 s: %.3g m", worst);
@@ -80,7 +80,7 @@ class TestLaparoscope : public QObject {
                                 {"laparoscope.weight.slider_mass", "0 g"}});
     rig.start();
     rig.run(100);
-    QVERIFY(rig.device->truth_tip->position.z < .085 - 1e-3);
+    QVERIFY(rig.device->truth.tip->position.z < .085 - 1e-3);
   }
 
   void with_friction_it_rests_to_the_bit_data() {
@@ -95,12 +95,15 @@ class TestLaparoscope : public QObject {
       settings.push_back({"laparoscope.mount", mount.toStdString()});
       LaparoscopeRig rig(settings);
       rig.start();
-      const Vector6d before = rig.device->truth_position->head<6>();
+      const Vector6d motors = rig.device->truth.motor_position->head<6>();
+      const Vector6d before = rig.device->truth.position->head<6>();
       const Joints reported = *rig.device->device_position;
       rig.run(500);
-      QVERIFY(rig.device->truth_position->head<6>() == before);
+      QVERIFY(rig.device->truth.motor_position->head<6>() == motors);
       QVERIFY(rig.device->device_position->head<6>() == reported.head<6>());
-      QVERIFY(rig.device->truth_velocity->head<6>().isZero(0.0));
+      // The mechanism swings on its transmissions by rounding errors.
+      QVERIFY((rig.device->truth.position->head<6>() - before).norm() < 1e-12);
+      QVERIFY(rig.device->truth.velocity->head<6>().norm() < 1e-10);
     }
   }
 
@@ -127,12 +130,12 @@ class TestLaparoscope : public QObject {
     constexpr double weight = 11.886;  // [N] along n3, of which the drives hold their share
     const double wall = 2200.0 * gain;
     const double expected = (250.0 * .145 + wall * .105 - (1.0 - gain) * weight) / (250.0 + wall);
-    const double rest = rig.device->truth_tip->position.z;
+    const double rest = rig.device->truth.tip->position.z;
     qInfo("rests at %.4f mm, statics says %.4f mm; hand %.3f N", 1e3 * rest, 1e3 * expected,
-          rig.device->truth_hand_force->z);
+          rig.device->truth.hand_force->z);
     QVERIFY(std::abs(rest - expected) < tolerance);
     QVERIFY(rest > .108);
-    QVERIFY(rig.device->truth_velocity->head<6>().norm() < 1e-4);
+    QVERIFY(rig.device->truth.velocity->head<6>().norm() < 1e-4);
     QVERIFY(!rig.executor->faults().latched());
     QCOMPARE(*rig.device->scale, 1.0);
   }
@@ -143,11 +146,11 @@ class TestLaparoscope : public QObject {
     rig.place("TestFixture", "wall", "tip");
     rig.start();
     rig.run(4100);
-    QVERIFY(rig.device->truth_tip->position.z < .090);
+    QVERIFY(rig.device->truth.tip->position.z < .090);
   }
 
   void a_load_pulls_at_its_site_and_never_goes_through_the_motors() {
-    LaparoscopeRig rig(Settings{{"laparoscope.hand", "hold"},
+    LaparoscopeRig rig(Settings{{"laparoscope.hand", "firm"},
                                 {"laparoscope.ideal", "true"},
                                 {"laparoscope.handle_offset", "-150 mm"},
                                 {"weight.pull", "0 N, 0 N, 5 N"}});
@@ -155,13 +158,13 @@ class TestLaparoscope : public QObject {
     rig.start();
     rig.run(3000);
     // The tool is upright: along its axis the place makes no difference, 5 N against 250 N/m.
-    QVERIFY(std::abs(rig.device->truth_tip->position.z - .105) < 1e-5);
+    QVERIFY(std::abs(rig.device->truth.tip->position.z - .105) < 1e-5);
     QCOMPARE(*rig.device->scale, 1.0);
     QVERIFY(rig.device->effort_sent->head<6>() == rig.device->hold->head<6>());
   }
 
   void a_lateral_load_at_the_handle_turns_the_tool_as_its_lever_says() {
-    LaparoscopeRig rig(Settings{{"laparoscope.hand", "hold"},
+    LaparoscopeRig rig(Settings{{"laparoscope.hand", "firm"},
                                 {"laparoscope.ideal", "true"},
                                 {"laparoscope.handle_offset", "-50 mm"},
                                 {"weight.pull", "0.2 N, 0 N, 0 N"}});
@@ -171,7 +174,7 @@ class TestLaparoscope : public QObject {
     // Hand: 250 N/m and 1 N m/rad at E; the moment about E is s t x f.
     const Vector3d t = rig.tool->pose->rotation.eigen() * Vector3d::UnitZ();
     const double angle = std::atan2(t.x(), t.z());
-    QVERIFY(std::abs(rig.device->truth_tip->position.x - .2 / 250.0) < 1e-5);
+    QVERIFY(std::abs(rig.device->truth.tip->position.x - .2 / 250.0) < 1e-5);
     QVERIFY(std::abs(angle - -.05 * .2 * t.z() / 1.0) < 1e-4);
   }
 
@@ -195,7 +198,7 @@ class TestLaparoscope : public QObject {
       QVERIFY(left.head<3>().cwiseAbs().maxCoeff() <= 5.0 + 1e-12);
       QVERIFY(left.tail<3>().cwiseAbs().maxCoeff() <= 0.3 + 1e-12);
       QVERIFY(left.dot(rig.executor->gates().front().velocity().head<6>()) <= 1e-12);
-      QVERIFY(rig.device->truth_position->head<6>().allFinite());
+      QVERIFY(rig.device->truth.position->head<6>().allFinite());
     }
     QVERIFY(rig.device->hold->head<3>().norm() > 1.0);
     const Fault& first = rig.executor->faults()[0];
@@ -211,7 +214,7 @@ class TestLaparoscope : public QObject {
       rig.place("TestFixture", "wall", "tip");
       rig.start();
       rig.run(1500);
-      return Vector6d(rig.device->truth_position->head<6>());
+      return Vector6d(rig.device->truth.position->head<6>());
     };
     QVERIFY(end() == end());
   }

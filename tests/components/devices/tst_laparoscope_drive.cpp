@@ -33,7 +33,7 @@ class TestLaparoscopeDrive : public QObject {
     const Vector6d x = (Vector6d() << 1e3, -.1234567, 3, 1e-9, 50, -7).finished();
     QCOMPARE(drive.effort(drive.sent(x), x), x);
     QCOMPARE(drive.read(x), x);
-    QVERIFY(drive.coulomb().isZero(0.0) && drive.viscous().isZero(0.0));
+    QVERIFY(drive.dry_friction(Vector6d::Zero()).isZero(0.0) && drive.viscous().isZero(0.0));
   }
 
   void dac_has_14_bits_over_both_peaks() {
@@ -80,6 +80,21 @@ class TestLaparoscopeDrive : public QObject {
               1e-12);
     }
     QVERIFY(std::abs(high - 10.07) < 1e-5 && std::abs(low - 9.93) < 1e-5);
+  }
+
+  void cogging_pulls_without_effort_and_takes_no_energy_over_its_pitch() {
+    const LaparoscopeDrive drive({}, only(&Imperfections::cogging), 3);
+    double most = 0.0, sum = 0.0;
+    for (int k = 0; k < 1000; ++k) {
+      const double f = drive.effort(all(0.0), all(k * 12.8e-6))[0];
+      most = std::max(most, std::abs(f));
+      sum += f;
+      QVERIFY(std::abs(drive.effort(all(7.0), all(k * 12.8e-6))[0] - 7.0 - f) < 1e-12);
+    }
+    QVERIFY(std::abs(most - 0.05) < 1e-6 && std::abs(sum) < 1e-9);
+    double ring = 0.0;
+    for (int k = 0; k < 1000; ++k) ring = std::max(ring, drive.effort(all(0.0), all(k * 16e-6))[5]);
+    QVERIFY(std::abs(ring - 1e-3) < 1e-7);
   }
 
   void encoders_round_to_their_counts() {
@@ -129,6 +144,10 @@ class TestLaparoscopeDrive : public QObject {
     QTest::newRow("no peak") << 2 << "peak = 0: needs an effort above 0";
     QTest::newRow("no resolution") << 3 << "resolution = 0: needs a value above 0";
     QTest::newRow("ripple beyond the effort") << 4 << "ripple = 1.5: needs a value from 0";
+    QTest::newRow("continuous above the peak") << 5 << "continuous = 300: needs an effort above 0";
+    QTest::newRow("less friction at rest") << 6 << "static_friction = 0.9: needs a value of";
+    QTest::newRow("a winding of no time") << 7 << "thermal.time = 0: needs a value above 0";
+    QTest::newRow("no limit before it is too hot") << 8 << "derating_start = 1: needs a value";
   }
   void impossible_settings_are_refused() {
     QFETCH(int, which);
@@ -139,6 +158,10 @@ class TestLaparoscopeDrive : public QObject {
     if (which == 2) s.ring.peak = 0.0;
     if (which == 3) s.slider.resolution = 0.0;
     if (which == 4) s.ripple = 1.5;
+    if (which == 5) s.slider.continuous = 300.0;
+    if (which == 6) s.static_friction = 0.9;
+    if (which == 7) s.thermal.time = 0.0;
+    if (which == 8) s.thermal.derating_start = 1.0;
     try {
       const LaparoscopeDrive drive(s, {}, 1);
       QFAIL("accepted");

@@ -9,47 +9,23 @@
 #include "components/devices/seeded_random.hpp"
 #include "components/kinematics/three_phases.hpp"
 #include "tests/support/allocation_counter.hpp"
+#include "tests/support/plant_rig.hpp"
 
 using namespace trocar;
 using Eigen::Vector3d;
-using trocar::test::allocations_in;
+using namespace trocar::test;
 
 namespace {
 
-constexpr double tick = 1e-3;  // [s]
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A perfect device that floats freely.
-LaparoscopePlantSettings ideal() {
-  LaparoscopePlantSettings s;
-  s.imperfections = Imperfections::none();
-  s.gravity = Vector3d::Zero();
-  s.hand.mode = HandMode::absent;
-  return s;
-}
-
-void run(LaparoscopePlant& plant, double seconds) {
-  const int ticks = static_cast<int>(std::lround(seconds / tick));
-  for (int k = 0; k < ticks; ++k) plant.advance(tick, LaparoscopePlant::substeps(tick));
-}
-
-LaparoscopeRates rates_of(const LaparoscopePlant& plant) {
-  return plant.dynamics().model().rates(plant.configuration());
-}
-
-Vector6d weight_of(const LaparoscopePlant& plant, const Vector3d& gravity) {
-  return plant.dynamics().gravity().effort(plant.configuration(), rates_of(plant), gravity);
-}
-
-Vector6d sliders_and_rings(double slider, double ring) {
-  return (Vector6d() << slider, slider, slider, ring, ring, ring).finished();
-}
-
 /// Energy error over 10 s relative to what was put in, on springs, at a physics step.
-double swing(const Vector3d& gravity, int substeps) {
+double swing(const Vector3d& gravity, int substeps, bool compliant) {
   LaparoscopePlantSettings s = ideal();
+  s.imperfections.compliance = compliant;
+  s.drive.transmission_damping = 0.0;
   s.gravity = gravity;
-  s.hand = {.mode = HandMode::holds,
+  s.hand = {.mode = HandMode::firm,
             .mass = 0.0,
             .damping = 0.0,
             .stiffness = 100.0,
@@ -59,7 +35,7 @@ double swing(const Vector3d& gravity, int substeps) {
   // A constant effort has the potential -tau·q.
   const Vector6d held = weight_of(plant, gravity);
   plant.apply(held);
-  const auto energy = [&] { return plant.energy() - held.dot(plant.position()); };
+  const auto energy = [&] { return plant.energy() - held.dot(plant.motor_position()); };
   const double lowest = energy();
   Vector6d q;
   const auto status = plant.dynamics().model().inverse({{.010, -.008, .091}, .08, -.06, .2}, q);
@@ -84,14 +60,20 @@ class TestLaparoscopePlant : public QObject {
   void energy_is_kept_to_second_order_data() {
     QTest::addColumn<double>("gx");
     QTest::addColumn<double>("gz");
-    QTest::newRow("without gravity") << 0.0 << 0.0;
-    QTest::newRow("with gravity, mount tilted") << 3.4 << -9.2;
+    QTest::addColumn<bool>("compliant");
+    QTest::newRow("without gravity") << 0.0 << 0.0 << false;
+    QTest::newRow("with gravity, mount tilted") << 3.4 << -9.2 << false;
+    QTest::newRow("the same, on the transmissions' springs") << 3.4 << -9.2 << true;
   }
   void energy_is_kept_to_second_order() {
     QFETCH(double, gx);
     QFETCH(double, gz);
-    const double coarse = swing({gx, 0, gz}, 10), fine = swing({gx, 0, gz}, 20);
-    QVERIFY2(coarse <= 1e-5, qPrintable(QString::number(coarse)));
+    QFETCH(bool, compliant);
+    const double usual = swing({gx, 0, gz}, 10, compliant);
+    QVERIFY2(usual <= 1e-5, qPrintable(QString::number(usual)));
+    // At the usual step the transmissions swing too fast for the leading term alone.
+    const double coarse = compliant ? swing({gx, 0, gz}, 20, compliant) : usual;
+    const double fine = swing({gx, 0, gz}, compliant ? 40 : 20, compliant);
     QVERIFY2(coarse / fine > 3.5 && coarse / fine < 4.5,
              qPrintable(QString::number(coarse / fine)));
   }
@@ -133,19 +115,29 @@ class TestLaparoscopePlant : public QObject {
 
   void at_rest_it_stays_at_rest_exactly_data() {
     QTest::addColumn<bool>("held");
-    QTest::newRow("nobody touches it") << false;
-    QTest::newRow("a hand holds it") << true;
+    QTest::addColumn<bool>("compliant");
+    QTest::newRow("nobody touches it") << false << false;
+    QTest::newRow("a hand holds it") << true << false;
+    QTest::newRow("nobody touches it, on springs") << false << true;
+    QTest::newRow("a hand holds it, on springs") << true << true;
   }
   void at_rest_it_stays_at_rest_exactly() {
     QFETCH(bool, held);
+    QFETCH(bool, compliant);
     LaparoscopePlantSettings s;
-    s.hand.mode = held ? HandMode::holds : HandMode::absent;
+    s.imperfections.compliance = compliant;
+    s.hand.mode = held ? HandMode::firm : HandMode::absent;
     s.imperfections.gain_error = false;
     s.start = {{.01, -.02, .09}, .2, -.1, .5};
     LaparoscopePlant plant(s);
-    const Vector6d before = plant.position();
-    plant.apply(weight_of(plant, s.gravity) + sliders_and_rings(.2, -.01));
+    const Vector6d before = plant.position(), motors = plant.motor_position();
+    plant.apply(weight_of(plant, s.gravity) + both(.2, -.01));
     run(plant, 2.0);
+    QCOMPARE(plant.motor_position(), motors);
+    if (compliant) {  // the mechanism swings on its transmissions by rounding errors
+      QVERIFY((plant.position() - before).norm() < 1e-12);
+      return;
+    }
     QCOMPARE(plant.position(), before);
     QVERIFY(plant.velocity().isZero(0.0));
   }
@@ -159,10 +151,10 @@ class TestLaparoscopePlant : public QObject {
                             .inertia(plant.configuration(), rates_of(plant))
                             .mass.topLeftCorner<3, 3>()
                             .sum();
-    plant.apply(sliders_and_rings(0.349, 0.0));
+    plant.apply(both(0.349, 0.0));
     run(plant, 0.5);
     QCOMPARE(plant.position(), before);
-    plant.apply(sliders_and_rings(0.45, 0.0));
+    plant.apply(both(0.45, 0.0));
     run(plant, 0.1);
     const double expected = 0.5 * (3 * 0.10 / mass) * 0.1 * 0.1;
     const double moved = plant.position()[0] - before[0];
@@ -180,7 +172,7 @@ class TestLaparoscopePlant : public QObject {
                             .sum();
     const double speed = 0.05, deceleration = 3 * 0.35 / mass;
     const double start = plant.position()[0];
-    plant.place(plant.position(), sliders_and_rings(speed, 0.0));
+    plant.place(plant.position(), both(speed, 0.0));
     run(plant, 0.03);
     QVERIFY(std::abs(plant.velocity()[1] - (speed - 0.03 * deceleration)) < 1e-9);
     run(plant, 0.3);
@@ -200,7 +192,7 @@ class TestLaparoscopePlant : public QObject {
                             .inertia(plant.configuration(), rates_of(plant))
                             .mass.topLeftCorner<3, 3>()
                             .sum();
-    plant.place(plant.position(), sliders_and_rings(0.05, 0.0));
+    plant.place(plant.position(), both(0.05, 0.0));
     run(plant, 0.1);
     QVERIFY(std::abs(plant.velocity()[0] - 0.05 * std::exp(-24.0 / mass * 0.1)) < 1e-8);
   }
@@ -209,7 +201,7 @@ class TestLaparoscopePlant : public QObject {
     LaparoscopePlantSettings s = ideal();
     s.imperfections.viscous_friction = true;
     LaparoscopePlant plant(s);
-    plant.apply(sliders_and_rings(50.0, 0.0));
+    plant.apply(both(50.0, 0.0));
     run(plant, 2.0);
     QVERIFY(std::abs(plant.position()[0] - (-.190 + 50.0 / 1e5)) < 1e-7);
     QCOMPARE(
@@ -221,7 +213,7 @@ class TestLaparoscopePlant : public QObject {
     LaparoscopePlantSettings s = ideal();
     s.imperfections.viscous_friction = true;
     LaparoscopePlant plant(s);
-    plant.apply(sliders_and_rings(0.0, -2.0));
+    plant.apply(both(0.0, -2.0));
     run(plant, 3.0);
     for (int i = 0; i < 3; ++i)
       QVERIFY(std::abs(plant.position()[3 + i] - phase_angle[i] +
@@ -243,7 +235,7 @@ class TestLaparoscopePlant : public QObject {
 
   void a_stop_does_not_add_energy() {
     LaparoscopePlant plant(ideal());
-    plant.place(plant.position(), sliders_and_rings(0.5, 0.0));
+    plant.place(plant.position(), both(0.5, 0.0));
     const double before = plant.energy();
     run(plant, 0.5);
     QVERIFY(plant.velocity()[0] < 0.0);
@@ -254,7 +246,7 @@ class TestLaparoscopePlant : public QObject {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       LaparoscopePlantSettings s;
       s.seed = seed;
-      s.hand.mode = seed % 2 ? HandMode::absent : HandMode::holds;
+      s.hand.mode = seed % 2 ? HandMode::absent : HandMode::firm;
       LaparoscopePlant plant(s);
       SeededRandom random(seed);
       Vector6d effort = Vector6d::Zero();
@@ -303,7 +295,7 @@ class TestLaparoscopePlant : public QObject {
 
   void an_outside_load_is_balanced_by_the_hand() {
     LaparoscopePlantSettings s = ideal();
-    s.hand.mode = HandMode::holds;
+    s.hand.mode = HandMode::firm;
     LaparoscopePlant plant(s);
     plant.load(2.5 * Vector6d::Unit(0));
     run(plant, 10.0);
@@ -313,7 +305,7 @@ class TestLaparoscopePlant : public QObject {
 
   void drives_hold_the_quantised_saturated_command() {
     LaparoscopePlant plant;
-    plant.apply(sliders_and_rings(1000.0, 0.001));
+    plant.apply(both(1000.0, 0.001));
     QCOMPARE(plant.sent_effort()[0], 200.0);
     QCOMPARE(plant.sent_effort()[3], 12.0 / 8192);
     QCOMPARE(plant.measured_position(), plant.drive().read(plant.position()));
@@ -369,7 +361,7 @@ class TestLaparoscopePlant : public QObject {
     double sum = 0.0;
     const int n = allocations_in([&] {
       for (int k = 0; k < 1000; ++k) {
-        plant.apply(sliders_and_rings(60.0, 0.5));
+        plant.apply(both(60.0, 0.5));
         plant.load(Vector6d::Unit(1));
         plant.advance(tick, 10);
         sum += plant.measured_position()[0] + plant.energy();

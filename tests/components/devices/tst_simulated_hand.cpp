@@ -36,10 +36,33 @@ class TestSimulatedHand : public QObject {
 
  private Q_SLOTS:
   void holding_it_pulls_back_to_where_it_grasped() {
-    const SimulatedHand hand = grasping({.mode = HandMode::holds});
+    const SimulatedHand hand = grasping({.mode = HandMode::firm});
     QVERIFY(hand.spring_wrench(rest, 0.0).isZero(0.0));
     const Vector6d f = hand.spring_wrench(tool_at({{.004, 0, .085}, 0, 0, .1}), 5.0);
     QVERIFY((f - (Vector6d() << -1.0, 0, 0, 0, 0, -.1).finished()).norm() < 1e-12);
+  }
+
+  void relaxed_it_pulls_a_share_as_much() {
+    const SimulatedHand hand = grasping({.mode = HandMode::relaxed, .relaxed_grip = 0.2});
+    const Vector6d f = hand.spring_wrench(tool_at({{.004, 0, .085}, 0, 0, .1}), 5.0);
+    QVERIFY((f - (Vector6d() << -.2, 0, 0, 0, 0, -.02).finished()).norm() < 1e-12);
+    QCOMPARE(hand.settings().damping, 0.2 * 8.0);
+    QCOMPARE(hand.settings().rotational_damping, 0.2 * 0.02);
+    QCOMPARE(hand.settings().mass, 0.3);
+    QCOMPARE(grasping({.relaxed_grip = 0.2}).settings().stiffness, 250.0);
+  }
+
+  void a_bowed_path_is_off_its_line_half_way_and_velocity_is_its_derivative() {
+    HandSettings s{.mode = HandMode::pushes};
+    s.push = {.bow = {.010, -.005, 0}, .depth = .04, .start = 0.0, .rise = 1.0};
+    const SimulatedHand hand = grasping(s);
+    const Vector3d half = hand.target(0.5) - rest.tip;
+    QVERIFY((half - Vector3d(.010, -.005, .02)).norm() < 1e-15);
+    QVERIFY((hand.target(1.2) - rest.tip - Vector3d(0, 0, .04)).norm() < 1e-15);
+    for (const double t : {0.1, 0.5, 0.8, 2.3}) {
+      const Vector3d slope = (hand.target(t + 1e-5) - hand.target(t - 1e-5)) / 2e-5;
+      QVERIFY((hand.target_velocity(t) - slope).norm() < 1e-9);
+    }
   }
 
   void absent_it_does_nothing() {
@@ -84,7 +107,7 @@ class TestSimulatedHand : public QObject {
   }
 
   void spring_wrench_does_the_work_of_its_potential() {
-    const SimulatedHand hand = grasping({.mode = HandMode::holds});
+    const SimulatedHand hand = grasping({.mode = HandMode::firm});
     const auto moved = [](double s) {
       return tool_at(
           {Vector3d(.01, -.02, .08) + s * Vector3d(1, 2, -1), .3 + s, -.2 - 3 * s, .4 + 5 * s});

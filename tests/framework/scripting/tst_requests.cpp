@@ -9,7 +9,7 @@ using test::ScriptOutcome;
 namespace {
 
 const QByteArray scene =
-    "local laparoscope = trocar.Laparoscope { hand = \"hold\", ideal = true }\n"
+    "local laparoscope = trocar.Laparoscope { hand = \"firm\", ideal = true }\n"
     "local wall = trocar.Wall { at = laparoscope.tip, point = { 0, 0, \"105 mm\" },\n"
     "  normal = { 0, 0, -1 } }\n";
 

@@ -89,7 +89,8 @@ class TestScript : public QObject {
         wall + "trocar.Wall { name = \"w\", at = laparoscope.tip, stiffness = \"99 N/mm\" }",
         {"3: w.stiffness = \"99 N/mm\": must be within 0–50 N/mm"});
     row("a choice that does not exist", "trocar.Laparoscope { hand = \"pusg\" }",
-        {"1: laparoscope.hand = \"pusg\": needs one of \"none\", \"hold\", \"push\", did you "
+        {"1: laparoscope.hand = \"pusg\": needs one of \"none\", \"relaxed\", \"firm\", \"push\", "
+         "did you "
          "mean"});
     row("a parameter that is needed", "trocar.Constant {}", {"1: constant needs \"value\""});
     row("members cannot be assigned to", wall + "wall.stiffness = \"1 N/mm\"",
@@ -523,7 +524,8 @@ class TestScript : public QObject {
         "12: wall.depth → sum.terms: a double cannot go where a Vector3 is needed",
         "13: wall.offset is driven already (at " TROCAR_SOURCE_DIR
         "/tests/data/ten_mistakes.lua:5): add the two with + first",
-        "14: second.hand = \"pull\": needs one of \"none\", \"hold\", \"push\", did you mean "
+        "14: second.hand = \"pull\": needs one of \"none\", \"relaxed\", \"firm\", \"push\", did "
+        "you mean "
         "\"push\"?",
     };
     for (int i = 0; i < std::min(found.size(), expected.size()); ++i)
