@@ -102,8 +102,15 @@ class TestLaparoscopePlant : public QObject {
     }
   }
 
+  void without_feed_forward_it_falls_as_its_mass_says_data() {
+    QTest::addColumn<bool>("compliant");
+    QTest::newRow("as one") << false;
+    QTest::newRow("motors on springs") << true;
+  }
   void without_feed_forward_it_falls_as_its_mass_says() {
+    QFETCH(bool, compliant);
     LaparoscopePlantSettings s = ideal();
+    s.imperfections.compliance = compliant;
     s.gravity = standard_gravity;
     LaparoscopePlant plant(s);
     const Vector3d before = plant.configuration().tool.tip;
