@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What simulating the laparoscope costs, a hand at its tool included.
+// What simulating the laparoscope costs, with all its imperfections and a hand at its tool.
 #include <benchmark/benchmark.h>
 
-#include "components/devices/laparoscope_plant.hpp"
+#include "components/devices/simulated_laparoscope.hpp"
+#include "components/register.hpp"
+#include "tests/benchmarks/bench_graph.hpp"
 
 namespace trocar::bench {
 namespace {
@@ -19,7 +21,24 @@ void plant_step(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * steps);
 }
 
+/// The device as a component, alone in its graph, with its gate: a hand carries its weight.
+void plant_tick(benchmark::State& state) {
+  BenchGraph bench;
+  register_components(bench.types);
+  const NodeId device = bench.add("SimulatedLaparoscope");
+  for (const auto& [name, value] : {std::pair("hand", "push"),
+                                    {"hand_stiffness", "2 N/mm"},
+                                    {"push_distance", "20 mm"},
+                                    {"push_dwell", "0 s"}})
+    bench.graph.set({device, name}, literal_from_text(value), {});
+  bench.start();
+  for (auto _ : state) bench.tick();
+  state.SetItemsProcessed(state.iterations());
+  if (bench.executor->faults().latched()) state.SkipWithError("a fault");
+}
+
 BENCHMARK(plant_step);
+BENCHMARK(plant_tick);
 
 }  // namespace
 }  // namespace trocar::bench
