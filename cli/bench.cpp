@@ -25,8 +25,8 @@ constexpr double longest_round = 600.0;  // [s]
 constexpr double fewest_slots = 100.0;   // of a round, or there is no 99 %
 
 struct Arguments {
-  std::string rounds = "10";
-  std::string round_time = "2s";
+  std::string rounds = "20";
+  std::string round_time = "1s";
   std::vector<std::string> rates = {"1kHz", "4kHz", "10kHz"};
   WaitOptions wait;
   std::string csv;
@@ -174,9 +174,9 @@ void add_bench(CLI::App& app, int& status) {
   command->add_option("--rates", arguments->rates, "Of the loops (default 1kHz,4kHz,10kHz)")
       ->delimiter(',')
       ->default_str("");
-  command->add_option("--rounds", arguments->rounds, "For each rate (default 10)");
+  command->add_option("--rounds", arguments->rounds, "For each rate (default 20)");
   command->add_option("--round-time", arguments->round_time,
-                      "Of each loop in each round (default 2s)");
+                      "Of each loop in each round (default 1s)");
   arguments->wait.add_to(*command);
   command->add_option("--csv", arguments->csv,
                       "Write the histograms of lateness to this file, - for stdout");

@@ -33,17 +33,43 @@ Json loop_json(const std::vector<LoopRound>& rounds) {
   return json;
 }
 
+Json ratio_json(const std::optional<PairRatio>& ratio) {
+  if (!ratio) return {};
+  Json json = {{"median", ratio->median}};
+  if (ratio->interval) json["interval"] = {ratio->interval->first, ratio->interval->second};
+  return json;
+}
+
 Json rate_json(const RateRounds& rounds) {
   Json json = {{"rate", rounds.rate},
                {"rounds", rounds.bare.size()},
                {"bare", loop_json(rounds.bare)},
                {"trocar", loop_json(rounds.trocar)}};
-  for (const LatenessFigure& figure : lateness_figures) {
-    const double bare = over_rounds(rounds.bare, figure.share).median;
-    const double own = over_rounds(rounds.trocar, figure.share).median;
-    json["ratio"][figure.key] = bare > 0.0 ? Json(own / bare) : Json();
-  }
+  for (const LatenessFigure& figure : lateness_figures)
+    json["ratio"][figure.key] = ratio_json(ratio_over_pairs(rounds, figure.share));
   return json;
+}
+
+double seconds_of(const LoopRound& round, double share) {
+  return static_cast<double>(round.lateness.percentile(share)) * 1e-9;
+}
+
+double median_of(const std::vector<double>& sorted) {
+  const std::size_t half = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+}
+
+/// The largest rank r, from 1, for which P(Binomial(n, 1/2) < r) <= 2.5 %; 0 where there is none.
+std::size_t interval_rank(std::size_t n) {
+  double term = std::pow(0.5, static_cast<double>(n));  // P(Binomial = k), here for k = 0
+  double below = 0.0;
+  std::size_t rank = 0;
+  while (rank < n && below + term <= 0.025) {
+    below += term;
+    term *= static_cast<double>(n - rank) / static_cast<double>(rank + 1);
+    ++rank;
+  }
+  return rank;
 }
 
 }  // namespace
@@ -56,13 +82,22 @@ bool BenchResult::empty() const {
 OverRounds over_rounds(const std::vector<LoopRound>& rounds, double share) {
   if (rounds.empty()) return {};
   std::vector<double> values;
-  for (const LoopRound& round : rounds)
-    values.push_back(static_cast<double>(round.lateness.percentile(share)) * 1e-9);
+  for (const LoopRound& round : rounds) values.push_back(seconds_of(round, share));
   std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  const double median =
-      values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-  return {median, values.front(), values.back()};
+  return {median_of(values), values.front(), values.back()};
+}
+
+std::optional<PairRatio> ratio_over_pairs(const RateRounds& rounds, double share) {
+  if (rounds.trocar.empty() || over_rounds(rounds.bare, share).median < 1e-6) return {};
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < rounds.trocar.size(); ++i)
+    ratios.push_back(seconds_of(rounds.trocar[i], share) /
+                     std::max(1e-9, seconds_of(rounds.bare[i], share)));
+  std::sort(ratios.begin(), ratios.end());
+  PairRatio ratio{.median = median_of(ratios)};
+  if (const std::size_t rank = interval_rank(ratios.size()); rank > 0)
+    ratio.interval = {ratios[rank - 1], ratios[ratios.size() - rank]};
+  return ratio;
 }
 
 LoopTotal total_of(const std::vector<LoopRound>& rounds) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/bench_loops.hpp"
@@ -50,6 +52,18 @@ struct OverRounds {
   double greatest = 0.0;
 };
 OverRounds over_rounds(const std::vector<LoopRound>& rounds, double share);
+
+/// Trocar's figure over the bare loop's, pair by pair. What the machine does meanwhile meets both
+/// loops of a pair, and mostly cancels.
+struct PairRatio {
+  double median = 0.0;
+  /// The 95 % interval of that median, by the ranks of a sign test: whatever the distribution, the
+  /// true median lies in it with at least that probability. Absent below 6 pairs.
+  std::optional<std::pair<double, double>> interval{};
+};
+/// Absent where nothing can be said: no pair, or a bare loop that was late by less than 1 us, most
+/// of which is the reading of the clock.
+std::optional<PairRatio> ratio_over_pairs(const RateRounds& rounds, double share);
 
 /// All rounds of one loop together.
 struct LoopTotal {

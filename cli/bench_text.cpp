@@ -14,9 +14,9 @@ std::string us_text(double seconds) {
   return us < 100.0 ? fmt::format("{:.1f}", us) : fmt::format("{:.0f}", us);
 }
 
-/// Below a microsecond the reading of the clock is most of it, and its ratio says nothing.
-std::string ratio_text(double own, double bare) {
-  return bare >= 1e-6 ? fmt::format("{:.2f}", own / bare) : "-";
+std::string interval_text(const std::optional<PairRatio>& ratio) {
+  if (!ratio || !ratio->interval) return "-";
+  return fmt::format("{:.2f} to {:.2f}", ratio->interval->first, ratio->interval->second);
 }
 
 std::string rate_name(double rate) {
@@ -36,21 +36,22 @@ std::string drift_text(const char* name, const std::vector<LoopRound>& rounds) {
 }
 
 std::string rate_text(const RateRounds& one, const LoopTiming& timing) {
-  TextTable table("lrrrr");
-  table.row({"lateness [µs]", "bare loop", "in its rounds", "Trocar", "Trocar / bare"});
+  TextTable table("lrrrrr");
+  table.row({"lateness [µs]", "bare loop", "in its rounds", "Trocar", "Trocar / bare", "95 %"});
   for (const LatenessFigure& figure : lateness_figures) {
     const OverRounds bare = over_rounds(one.bare, figure.share);
     const OverRounds own = over_rounds(one.trocar, figure.share);
+    const std::optional<PairRatio> ratio = ratio_over_pairs(one, figure.share);
     table.row({figure.label, us_text(bare.median),
                us_text(bare.least) + " to " + us_text(bare.greatest), us_text(own.median),
-               ratio_text(own.median, bare.median)});
+               ratio ? fmt::format("{:.2f}", ratio->median) : "-", interval_text(ratio)});
   }
   const LoopTotal bare = total_of(one.bare), own = total_of(one.trocar);
-  table.row(
-      {"slots missed", fmt::format("{}", bare.skipped), "", fmt::format("{}", own.skipped), ""});
+  table.row({"slots missed", fmt::format("{}", bare.skipped), "", fmt::format("{}", own.skipped),
+             "", ""});
   if (timing.spin > 0.0)
     table.row({"guard spin [% of a processor]", fmt::format("{:.1f}", 100.0 * bare.spun), "",
-               fmt::format("{:.1f}", 100.0 * own.spun), ""});
+               fmt::format("{:.1f}", 100.0 * own.spun), "", ""});
   return fmt::format("\n{}, a period of {} µs, {}\n", rate_name(one.rate), us_text(1.0 / one.rate),
                      counted(one.trocar.size(), "round")) +
          table.text() + drift_text("bare loop", one.bare) + drift_text("Trocar", one.trocar);
@@ -80,13 +81,13 @@ std::string machine_text(const BenchResult& result) {
 
 constexpr const char* explanation =
     "Lateness is how long after its slot a tick begins. The bare loop is the least that a loop can "
-    "be on this machine: it sleeps until the slot, looks at the time, and does nothing. Trocar / "
-    "bare tells what Trocar adds to that; 1.00 is nothing; below 1 µs it says nothing. Each figure "
-    "is the median over all "
-    "rounds of what a round had; single samples are known to 6 %. Where the bare loop's own "
-    "rounds differ by more than the ratio does, the machine's noise is the answer, and more or "
-    "longer rounds help. A tick that begins late acts on an old position: compare the 99 % with "
-    "the delay that your device and controller tolerate, and the worst with the period.";
+    "be on this machine: it sleeps until the slot, looks at the time, and does nothing. Figures in "
+    "µs are medians over all rounds of what a round had; single samples are known to 6 %. Trocar / "
+    "bare tells what Trocar adds: the median over all pairs of rounds of their ratio, with the "
+    "interval in which it lies with 95 %. An interval that holds 1.00 shows no difference; more "
+    "rounds narrow it. Below 1 µs and 6 rounds it says nothing. A tick that begins late acts on an "
+    "old position: compare the 99 % with the delay that your device and controller tolerate, and "
+    "the worst with the period.";
 
 }  // namespace
 

@@ -63,6 +63,49 @@ class TestBenchResult : public QObject {
     QCOMPARE(over_rounds({}, 0.5).median, 0.0);
   }
 
+  void the_ratio_is_that_of_pairs() {
+    // Each pair on a machine that got twice as slow since the one before.
+    RateRounds rounds{.rate = 1000.0};
+    for (int i = 0; i < 5; ++i) {
+      rounds.bare.push_back(round_of((16 * us) << i, 64 * us << i));
+      rounds.trocar.push_back(round_of((20 * us) << i, 64 * us << i));
+    }
+    std::optional<PairRatio> half = ratio_over_pairs(rounds, 0.5);
+    QVERIFY(half && std::abs(half->median - 1.25) < 0.08);
+    QVERIFY2(!half->interval, "five pairs bound nothing with 95 %");
+    QCOMPARE(ratio_over_pairs(rounds, 1.0)->median, 1.0);
+    rounds.bare.push_back(round_of(16 * us, 64 * us));
+    rounds.trocar.push_back(round_of(16 * us, 256 * us));
+    const std::optional<PairRatio> worst = ratio_over_pairs(rounds, 1.0);
+    QCOMPARE(worst->median, 1.0);
+    QVERIFY(worst->interval && worst->interval->first == 1.0 && worst->interval->second == 4.0);
+  }
+
+  // Ranks of the sign test: 1 of 6, 2 of 10, 6 of 20 (tables of the binomial distribution).
+  void the_interval_takes_its_ranks_from_the_binomial_distribution_data() {
+    QTest::addColumn<int>("pairs");
+    QTest::addColumn<int>("rank");
+    for (const auto& [pairs, rank] : {std::pair(6, 1), {8, 1}, {9, 2}, {10, 2}, {20, 6}, {40, 14}})
+      QTest::addRow("%d", pairs) << pairs << rank;
+  }
+  void the_interval_takes_its_ranks_from_the_binomial_distribution() {
+    QFETCH(int, pairs);
+    QFETCH(int, rank);
+    RateRounds rounds{.rate = 1000.0};
+    for (int i = 1; i <= pairs; ++i) {
+      rounds.bare.push_back(round_of(us, 100 * us));
+      rounds.trocar.push_back(round_of(us, i * 100 * us));
+    }
+    const std::optional<PairRatio> worst = ratio_over_pairs(rounds, 1.0);
+    QCOMPARE(worst->interval->first, static_cast<double>(rank));
+    QCOMPARE(worst->interval->second, static_cast<double>(pairs + 1 - rank));
+  }
+
+  void a_loop_that_was_hardly_late_has_no_ratio() {
+    QVERIFY(!ratio_over_pairs({1000.0, {round_of(100, 200)}, {round_of(400, 800)}}, 0.5));
+    QVERIFY(!ratio_over_pairs({.rate = 1000.0}, 0.5));
+  }
+
   void rounds_add_up_or_not() {
     LoopRound round = round_of(us, us, 3);
     QVERIFY(round.adds_up());
@@ -127,7 +170,7 @@ class TestBenchResult : public QObject {
     QCOMPARE(rate["rate"].get<double>(), 1000.0);
     QCOMPARE(rate["bare"]["p50"]["rounds"].size(), std::size_t{3});
     QVERIFY(near(rate["trocar"]["p50"]["median"].get<double>(), 20e-6));
-    QVERIFY(std::abs(rate["ratio"]["p50"].get<double>() - 1.25) < 0.1);
+    QVERIFY(std::abs(rate["ratio"]["p50"]["median"].get<double>() - 1.25) < 0.1);
     QCOMPARE(rate["trocar"]["skipped"].get<int>(), 2);
     QCOMPARE(rate["bare"]["slots"].get<int>(), 3000);
   }
