@@ -11,7 +11,7 @@
 namespace trocar {
 namespace {
 
-struct Writer {
+struct LiteralText {
   std::string operator()(std::monostate) const { return "nil"; }
   std::string operator()(bool b) const { return b ? "true" : "false"; }
   std::string operator()(double d) const { return fmt::format("{:.12g}", d); }
@@ -45,7 +45,7 @@ Literal scalar_from_text(std::string_view text) {
 }  // namespace
 
 std::string Literal::text() const {
-  return std::visit(Writer{}, value);
+  return std::visit(LiteralText{}, value);
 }
 
 Literal literal_from_text(std::string_view text) {

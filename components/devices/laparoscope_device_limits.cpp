@@ -17,8 +17,8 @@ struct AxisFigures {
 //          and half as much again.
 // hold_tolerance: a capped damping, and a weight known to some percent; three sliders stay below
 //          the handle's cap of 20 N.
-constexpr AxisFigures slider{200.0, 20e3, 2.0, 3e-3, 20.0, 5.0, 6.0};
-constexpr AxisFigures ring{12.0, 1.2e3, 20.0, 0.06, 0.15, 0.3, 0.4};
+constexpr AxisFigures slider_figures{200.0, 20e3, 2.0, 3e-3, 20.0, 5.0, 6.0};
+constexpr AxisFigures ring_figures{12.0, 1.2e3, 20.0, 0.06, 0.15, 0.3, 0.4};
 constexpr double handle_speed = 1.0;  // [m/s], from which the speeds follow
 
 }  // namespace
@@ -28,7 +28,7 @@ DeviceLimits laparoscope_device_limits(const LaparoscopeLimits& ranges, double p
   limits.axes = 6;
   limits.handle_speed = handle_speed;
   for (int i = 0; i < 6; ++i) {
-    const AxisFigures& axis = i < 3 ? slider : ring;
+    const AxisFigures& axis = i < 3 ? slider_figures : ring_figures;
     const double middle = 2.0 * std::numbers::pi / 3.0 * (i - 3);
     limits.effort[i] = axis.effort;
     limits.rise[i] = axis.rise;

@@ -3,19 +3,17 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
+#include <string>
+
+#include "components/requirement.hpp"
 
 namespace trocar {
 namespace {
 
 using Eigen::Vector3d;
 
-void require(bool holds, const char* what, double value, const char* allowed) {
-  if (holds) return;
-  std::ostringstream text;
-  text << "hand: " << what << " = " << value << ": needs " << allowed;
-  throw std::invalid_argument(text.str());
+void require_of_hand(bool holds, const std::string& what, double value, const char* allowed) {
+  require(holds, "hand: " + what, value, std::string("needs ") + allowed);
 }
 
 struct Stroke {
@@ -45,7 +43,7 @@ Stroke stroke(const PushSettings& push, double time) RT_SAFE {
 
 SimulatedHand::SimulatedHand(const HandSettings& s) : settings_(s) {
   const auto at_least_0 = [](const char* what, double value) {
-    require(value >= 0.0 && std::isfinite(value), what, value, "a value of at least 0");
+    require_of_hand(value >= 0.0 && std::isfinite(value), what, value, "a value of at least 0");
   };
   at_least_0("mass", s.mass);
   at_least_0("damping", s.damping);
@@ -54,14 +52,16 @@ SimulatedHand::SimulatedHand(const HandSettings& s) : settings_(s) {
   at_least_0("rotational_stiffness", s.rotational_stiffness);
   at_least_0("push.depth", s.push.depth);
   at_least_0("push.start", s.push.start);
-  require(s.push.rise > 0.0, "push.rise", s.push.rise, "a time above 0 s, e.g. 1.0");
-  require(s.push.dwell >= 0.0, "push.dwell", s.push.dwell, "a time of at least 0 s, e.g. 1.0");
-  require(s.relaxed_grip >= 0.0 && s.relaxed_grip <= 1.0, "relaxed_grip", s.relaxed_grip,
-          "a share from 0 to 1");
-  require(s.push.bow.allFinite(), "length of push.bow", s.push.bow.norm(), "finite numbers");
+  require_of_hand(s.push.rise > 0.0, "push.rise", s.push.rise, "a time above 0 s, e.g. 1.0");
+  require_of_hand(s.push.dwell >= 0.0, "push.dwell", s.push.dwell,
+                  "a time of at least 0 s, e.g. 1.0");
+  require_of_hand(s.relaxed_grip >= 0.0 && s.relaxed_grip <= 1.0, "relaxed_grip", s.relaxed_grip,
+                  "a share from 0 to 1");
+  require_of_hand(s.push.bow.allFinite(), "length of push.bow", s.push.bow.norm(),
+                  "finite numbers");
   const double length = s.push.direction.norm();
-  require(std::abs(length - 1.0) <= 1e-9, "length of push.direction", length,
-          "a unit vector, e.g. {0, 0, 1}");
+  require_of_hand(std::abs(length - 1.0) <= 1e-9, "length of push.direction", length,
+                  "a unit vector, e.g. {0, 0, 1}");
   if (s.mode != HandMode::relaxed) return;
   for (double* each : {&settings_.damping, &settings_.stiffness, &settings_.rotational_damping,
                        &settings_.rotational_stiffness})

@@ -5,8 +5,9 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
+#include <string>
+
+#include "components/requirement.hpp"
 
 namespace trocar {
 namespace {
@@ -14,10 +15,8 @@ namespace {
 constexpr double turning_length = 0.1;  // [m]
 
 void require_effort(const char* name, double value, const char* unit) {
-  if (value >= 0.0 && std::isfinite(value)) return;
-  std::ostringstream text;
-  text << "efforts: " << name << " = " << value << ": needs at least 0 " << unit;
-  throw std::invalid_argument(text.str());
+  require(value >= 0.0 && std::isfinite(value), std::string("efforts: ") + name, value,
+          std::string("needs at least 0 ") + unit);
 }
 
 double worst_force(const LaparoscopeRates& rates, const Vector6d& spare) {

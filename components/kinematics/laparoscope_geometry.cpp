@@ -4,18 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
-#include <stdexcept>
 #include <string>
+
+#include "components/requirement.hpp"
 
 namespace trocar {
 namespace {
-
-void require(bool holds, const char* what, double value, const std::string& allowed) {
-  if (holds) return;
-  std::ostringstream text;
-  text << what << " = " << value << ": " << allowed;
-  throw std::invalid_argument(text.str());
-}
 
 std::string metres(const char* text, double bound, const char* cure) {
   std::ostringstream out;

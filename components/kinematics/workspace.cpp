@@ -6,13 +6,12 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
 
 #include "components/devices/seeded_random.hpp"
 #include "components/kinematics/laparoscope_gravity.hpp"
 #include "components/kinematics/laparoscope_limits.hpp"
 #include "components/kinematics/sobol.hpp"
+#include "components/requirement.hpp"
 
 namespace trocar {
 namespace {
@@ -27,26 +26,20 @@ constexpr std::size_t fewest_points = 256;
 constexpr std::size_t most_points = std::size_t{1} << 26;  // of all shifts; memory for 1 GB
 constexpr std::size_t most_shifts = 1024;
 
-void require(bool holds, const char* what, double value, const char* allowed) {
-  if (holds) return;
-  std::ostringstream text;
-  text << "workspace: " << what << " = " << value << ": " << allowed;
-  throw std::invalid_argument(text.str());
-}
-
 void validate(const WorkspaceSettings& s) {
   validate(s.efforts);
-  require(s.shifts >= 2 && s.shifts <= most_shifts, "shifts", static_cast<double>(s.shifts),
-          "needs 2 to 1024 for a standard error, e.g. 16");
+  require(s.shifts >= 2 && s.shifts <= most_shifts, "workspace: shifts",
+          static_cast<double>(s.shifts), "needs 2 to 1024 for a standard error, e.g. 16");
   const auto points = [&s](const char* what, std::size_t n, const char* example) {
     const auto value = static_cast<double>(n);
     require(std::has_single_bit(n) && n >= fewest_points, what, value, example);
     require(n <= most_points / s.shifts, what, value,
             "is too many: shifts times this may be 67108864 at most");
   };
-  points("tips", s.tips, "needs a power of 2, at least 256, e.g. 8192");
-  points("poses", s.poses, "needs a power of 2, at least 256, e.g. 65536");
-  require(s.gravity.allFinite(), "gravity", s.gravity.norm(), "needs finite numbers in m/s^2");
+  points("workspace: tips", s.tips, "needs a power of 2, at least 256, e.g. 8192");
+  points("workspace: poses", s.poses, "needs a power of 2, at least 256, e.g. 65536");
+  require(s.gravity.allFinite(), "workspace: gravity", s.gravity.norm(),
+          "needs finite numbers in m/s^2");
 }
 
 /// Consecutive points under one shift.
@@ -183,11 +176,12 @@ Vector3d CellGrid::centre(std::size_t index) const {
 }
 
 CellGrid cell_grid(const LaparoscopeReach::Bounds& bounds, double edge) {
-  require(edge > 0.0 && std::isfinite(edge), "cell", edge, "needs an edge above 0 m, e.g. 0.020");
+  require(edge > 0.0 && std::isfinite(edge), "workspace: cell", edge,
+          "needs an edge above 0 m, e.g. 0.020");
   const double half = std::ceil(bounds.radius / edge);
   const double low = std::floor(bounds.low / edge);
   const double layers = std::max(1.0, std::ceil(bounds.high / edge) - low);
-  require(4.0 * half * half * layers <= static_cast<double>(most_cells), "cell", edge,
+  require(4.0 * half * half * layers <= static_cast<double>(most_cells), "workspace: cell", edge,
           "gives more than 200000 cells; widen them, e.g. to 0.020");
   const auto across = static_cast<std::size_t>(2.0 * half);
   return {{-half * edge, -half * edge, low * edge},

@@ -39,7 +39,7 @@ row "Lua outside of the binding"       includes "belongs in framework/scripting"
 row "Lua under its folder's name"      includes "belongs in framework/scripting" cli/a.cpp '#include <lua5.4/lauxlib.h>'
 row "hidapi in a device"               includes accepts components/devices/a.cpp '#include <hidapi.h>'
 row "hidapi outside of the devices"    includes "belongs in components/devices" cli/doctor.cpp '#include <hidapi/hidapi.h>'
-row "Qt in a test"                     includes accepts tests/tst_a.cpp '#include <QtTest>'
+row "Qt in a test"                     includes accepts tests/tst_a.cpp '#include <QTest>'
 row "Qt in the live stream"            includes accepts plugins/foxglove/a.cpp '#include <QtWebSockets/QWebSocket>'
 row "Qt in another plugin"             includes "belongs in gui" plugins/example/a.cpp '#include <QObject>'
 row "Qt in the framework"              includes "belongs in gui" framework/a.hpp '#include <QString>'

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/fault.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 using namespace trocar;

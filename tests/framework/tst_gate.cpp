@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/gate.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <bit>
 #include <limits>
 #include <memory>

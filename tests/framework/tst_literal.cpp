@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/literal.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 using namespace trocar;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/parameter.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <limits>
 #include <numbers>
 

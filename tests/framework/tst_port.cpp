@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/port.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <random>
 
 #include "framework/component.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/text.hpp"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace trocar;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/types.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <cstring>
 
 using namespace trocar;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/units.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/wired_graph.hpp"
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/test_components.hpp"
 

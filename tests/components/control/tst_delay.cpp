@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/control/delay.hpp"
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/graph_bench.hpp"
 

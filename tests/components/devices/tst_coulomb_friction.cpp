@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/devices/coulomb_friction.hpp"
 
-#include <QtTest>
+#include <QTest>
 
 #include "components/devices/seeded_random.hpp"
 #include "tests/support/allocation_counter.hpp"

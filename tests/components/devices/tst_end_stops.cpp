@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/devices/end_stops.hpp"
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/laparoscope_poses.hpp"

@@ -2,7 +2,7 @@
 #include "components/devices/simulated_hand.hpp"
 
 #include <Eigen/Geometry>
-#include <QtTest>
+#include <QTest>
 #include <limits>
 #include <stdexcept>
 

@@ -2,7 +2,7 @@
 #include "components/kinematics/laparoscope_dynamics.hpp"
 
 #include <Eigen/Cholesky>
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/laparoscope_poses.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/kinematics/laparoscope_geometry.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 #include <stdexcept>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/kinematics/laparoscope_limits.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "components/kinematics/three_phases.hpp"

@@ -2,7 +2,7 @@
 #include "components/kinematics/laparoscope_model.hpp"
 
 #include <Eigen/Geometry>
-#include <QtTest>
+#include <QTest>
 
 #include "components/kinematics/laparoscope_gravity.hpp"
 #include "components/kinematics/laparoscope_limits.hpp"

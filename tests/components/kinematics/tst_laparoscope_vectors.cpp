@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every row of the reference vectors, at the tolerances that they come with.
-#include <QtTest>
+#include <QTest>
 
 #include "components/kinematics/laparoscope_dynamics.hpp"
 #include "components/kinematics/laparoscope_limits.hpp"

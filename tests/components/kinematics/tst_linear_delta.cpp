@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/kinematics/linear_delta.hpp"
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/laparoscope_poses.hpp"
 

@@ -2,7 +2,7 @@
 #include "components/kinematics/planar_3rrp.hpp"
 
 #include <Eigen/LU>
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "components/kinematics/three_phases.hpp"

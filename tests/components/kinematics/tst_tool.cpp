@@ -2,7 +2,7 @@
 #include "components/kinematics/tool.hpp"
 
 #include <Eigen/Geometry>
-#include <QtTest>
+#include <QTest>
 #include <numbers>
 
 #include "tests/support/laparoscope_poses.hpp"

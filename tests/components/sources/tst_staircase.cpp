@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/sources/staircase.hpp"
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/graph_bench.hpp"
 

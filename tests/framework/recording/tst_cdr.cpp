@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/recording/cdr.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <limits>
 
 #include "tests/support/mcap_records.hpp"

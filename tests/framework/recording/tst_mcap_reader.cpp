@@ -2,7 +2,7 @@
 #include "framework/recording/mcap_reader.hpp"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "framework/recording/mcap_writer.hpp"
 #include "tests/support/mcap_records.hpp"

@@ -4,7 +4,7 @@
 #include <sys/resource.h>
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <csignal>
 
 #include "framework/recording/crc32.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/recording/ros2_decode.hpp"
 
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 using trocar::CdrWriter;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/recording/ros2_schema.hpp"
 
-#include <QtTest>
+#include <QTest>
 
 using trocar::Ros2Field;
 using trocar::Ros2Message;
