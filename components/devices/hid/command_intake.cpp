@@ -29,8 +29,9 @@ CommandRefusal CommandIntake::judge(ReportBytes bytes, std::uint32_t now_us,
   if (const auto defect = decode(bytes, command); defect != ReportDefect::none)
     return refusal(defect);
   const int newer = serial_difference(command.sequence, latest_.sequence);
+  const bool alive = watch(now_us);
   if (taken() > 0 && newer == 0) return CommandRefusal::repeated;
-  if (watch(now_us) && newer < 0) return CommandRefusal::reordered;
+  if (alive && newer < 0) return CommandRefusal::reordered;
   const std::int32_t left = serial_difference(command.deadline_us, now_us);
   if (left < 0) return CommandRefusal::late;
   if (left > longest_validity_us) return CommandRefusal::too_far;
@@ -49,7 +50,9 @@ CommandRefusal CommandIntake::take(ReportBytes bytes, std::uint32_t now_us) RT_S
 }
 
 bool CommandIntake::watch(std::uint32_t now_us) RT_SAFE {
-  alive_ = alive_ && now_us - arrival_us_ < watchdog_us;
+  const bool expires = alive_ && now_us - arrival_us_ >= watchdog_us;
+  if (expires) ++silences_;
+  alive_ = alive_ && !expires;
   return alive_;
 }
 

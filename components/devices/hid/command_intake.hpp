@@ -38,6 +38,10 @@ class CommandIntake {
   /// Whether a command still acts. To be called in every cycle of the device, since the time wraps.
   bool watch(std::uint32_t now_us) RT_SAFE;
 
+  /// How often the watchdog ended a command. One that ended between two cycles, because the next
+  /// arrived before anybody looked, is seen by this alone.
+  std::uint32_t silences() const RT_SAFE { return silences_; }
+
   const CommandReport& latest() const RT_SAFE { return latest_; }
   std::uint32_t taken() const RT_SAFE { return counts_[0]; }
   std::uint32_t count(CommandRefusal refusal) const RT_SAFE {
@@ -50,6 +54,7 @@ class CommandIntake {
   CommandReport latest_;
   std::uint32_t arrival_us_ = 0;
   bool alive_ = false;
+  std::uint32_t silences_ = 0;
   std::array<std::uint32_t, 10> counts_{};
 };
 

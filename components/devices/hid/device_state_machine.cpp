@@ -30,12 +30,15 @@ const PerAxis<std::int16_t>& DeviceStateMachine::step(const DeviceInputs& in,
   const CommandReport& command = alive ? intake.latest() : off;
   if (command.mode != spent_) spent_ = CommandMode::off;
 
-  const DeviceFault wrong = wrong_now(in, alive);
+  const bool went_on = alive && intake.silences() == silences_;
+  silences_ = intake.silences();
+
+  const DeviceFault wrong = wrong_now(in, went_on);
   if (wrong == DeviceFault::none)
     count_up(clear_us_, elapsed_us_, clear_us);
   else
     fail(wrong);
-  if (!alive) holds_ = holds_ && state_ != DeviceState::fault;
+  if (!went_on) holds_ = holds_ && state_ != DeviceState::fault;
 
   acknowledge(command, command.acknowledge && !acknowledged_);
   advance(in, command);
@@ -45,10 +48,10 @@ const PerAxis<std::int16_t>& DeviceStateMachine::step(const DeviceInputs& in,
   return effort_;
 }
 
-DeviceFault DeviceStateMachine::wrong_now(const DeviceInputs& in, bool alive) const RT_SAFE {
+DeviceFault DeviceStateMachine::wrong_now(const DeviceInputs& in, bool went_on) const RT_SAFE {
   const bool was_moved = last_mode_ != CommandMode::off && state_ != DeviceState::unhomed;
   if (state_ != DeviceState::unhomed && motion_.jumped()) return DeviceFault::encoder_jump;
-  if (!alive && was_moved) return DeviceFault::watchdog;
+  if (!went_on && was_moved) return DeviceFault::watchdog;
   if (*std::max_element(in.temperature.begin(), in.temperature.end()) > rules_.hottest)
     return DeviceFault::temperature;
   if (state_ == DeviceState::homing && motion_.faster_than(rules_.homing_speed))

@@ -62,7 +62,7 @@ class DeviceStateMachine {
   const PerAxis<std::int16_t>& effort() const RT_SAFE { return effort_; }
 
  private:
-  DeviceFault wrong_now(const DeviceInputs& in, bool alive) const RT_SAFE;
+  DeviceFault wrong_now(const DeviceInputs& in, bool went_on) const RT_SAFE;
   void fail(DeviceFault cause) RT_SAFE;
   void advance(const DeviceInputs& in, const CommandReport& command) RT_SAFE;
   void home(const DeviceInputs& in, const CommandReport& command) RT_SAFE;
@@ -81,6 +81,7 @@ class DeviceStateMachine {
   CommandMode spent_ = CommandMode::off;  // a request that was used up, until another mode comes
   bool acknowledged_ = false;             // the flag of the last command
   bool started_ = false;
+  std::uint32_t silences_ = 0;  // of the intake, seen
   std::uint32_t time_us_ = 0, elapsed_us_ = 0;
   std::uint32_t held_us_ = 0, calm_us_ = 0, ramp_us_ = 0, clear_us_ = 0, homing_us_ = 0;
   PerAxis<std::int16_t> effort_{};

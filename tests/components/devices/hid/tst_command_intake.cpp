@@ -74,6 +74,7 @@ class TestCommandIntake : public QObject {
       intake.take(command(1, start + 3000), start);
       QVERIFY(intake.watch(start + 7999));
       QVERIFY(!intake.watch(start + 8000));
+      QCOMPARE(intake.silences(), 1u);
       QVERIFY(!intake.watch(start + 100));  // not alive again by a wrap of the time
     }
   }
@@ -109,6 +110,9 @@ class TestCommandIntake : public QObject {
     QCOMPARE(intake.take(command(500, 12'000), 10'000), CommandRefusal::repeated);
     QCOMPARE(intake.take(command(3, 12'000), 10'000), CommandRefusal::none);
     QVERIFY(intake.watch(10'000));
+    QCOMPARE(intake.silences(), 1u);
+    QCOMPARE(intake.take(command(4, 30'000), 20'000), CommandRefusal::none);
+    QCOMPARE(intake.silences(), 2u);  // though nobody watched in between
   }
 };
 

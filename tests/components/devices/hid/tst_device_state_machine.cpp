@@ -241,6 +241,15 @@ class TestDeviceStateMachine : public QObject {
     QCOMPARE(bench.effort(), 0);  // latched
   }
 
+  void silence_between_two_cycles_is_silence_too() {
+    Bench bench;
+    bench.engage();
+    bench.in.time_us += 7000;  // and the next command is there before the next cycle
+    bench.ms(1);
+    QCOMPARE(bench.device.fault(), DeviceFault::watchdog);
+    QCOMPARE(bench.effort(), 0);
+  }
+
   void a_host_that_asked_for_nothing_may_leave() {
     Bench bench;
     bench.home();
