@@ -63,7 +63,6 @@ DeviceFault DeviceStateMachine::wrong_now(const DeviceInputs& in, bool went_on) 
 void DeviceStateMachine::fail(DeviceFault cause) RT_SAFE {
   clear_us_ = 0;
   if (cause == DeviceFault::encoder_jump || state_ == DeviceState::homing) homed_ = 0;
-  if (cause == DeviceFault::watchdog || homed_ != all_homed) holds_ = false;
   if (state_ != DeviceState::fault) fault_ = cause;
   state_ = DeviceState::fault;
 }

@@ -299,6 +299,21 @@ class TestDeviceStateMachine : public QObject {
     QCOMPARE(bench.device.state(), homed ? DeviceState::ready : DeviceState::unhomed);
   }
 
+  void a_request_made_during_a_fault_does_not_count() {
+    Bench bench;
+    bench.engage();
+    bench.in.temperature[0] = 255;
+    bench.ms(1);
+    bench.in.temperature[0] = 65;
+    bench.ask(CommandMode::hold);
+    bench.ms(200);
+    bench.ask(CommandMode::render);
+    bench.ms(1);
+    bench.acknowledge();
+    bench.ms(5000);
+    QCOMPARE(bench.device.state(), DeviceState::ready);
+  }
+
   void an_acknowledge_that_is_always_set_does_not_count() {
     Bench bench;
     bench.engage();
