@@ -8,6 +8,7 @@
 #include "components/control/sum.hpp"
 #include "components/filters/difference.hpp"
 #include "components/filters/foaw.hpp"
+#include "components/fixtures/pose_spring.hpp"
 #include "components/fixtures/spring.hpp"
 #include "components/fixtures/wall.hpp"
 #include "components/register_laparoscope.hpp"
@@ -16,6 +17,7 @@
 #include "components/sources/sine.hpp"
 #include "components/sources/staircase.hpp"
 #include "components/sources/step.hpp"
+#include "components/sources/tool_motion.hpp"
 #include "framework/capture.hpp"
 #include "framework/logger.hpp"
 
@@ -33,6 +35,8 @@ void register_components(Registry& registry) {
   registry.add<Difference>("Difference", "filters", "Velocity as the backward difference");
   registry.add<Foaw>("Foaw", "filters", "Velocity by first-order adaptive windowing");
 
+  registry.add<PoseSpring>("PoseSpring", "fixtures",
+                           "Holds a tool's pose, or makes it follow a motion");
   registry.add<Spring>("Spring", "fixtures", "A spring-damper that pulls to a centre");
   registry.add<Wall>("Wall", "fixtures", "A flat spring-damper wall that never pulls in");
 
@@ -41,7 +45,10 @@ void register_components(Registry& registry) {
   registry.add<Logger>("Logger", "recording", "Says where a session is recorded, and what of it");
 
   registry.add<Chirp>("Chirp", "sources", "A sine whose frequency moves from one to another");
+  registry.add<ChirpMotion>("ChirpMotion", "sources",
+                            "A chirp of a point along a line, with its derivatives");
   registry.add<Constant>("Constant", "sources", "A value that stays");
+  registry.add<ShuttleMotion>("ShuttleMotion", "sources", "A point to and fro at a constant speed");
   registry.add<Sine>("Sine", "sources", "A sine of one frequency");
   registry.add<Staircase>("Staircase", "sources", "A load on the tool, up and down in steps");
   registry.add<Step>("Step", "sources", "One value until a time, another from then on");

@@ -12,6 +12,7 @@
 #include "framework/realtime/cpu_latency_hold.hpp"
 #include "framework/realtime/throttling.hpp"
 #include "framework/recording/row_pump.hpp"
+#include "framework/text.hpp"
 
 namespace trocar {
 namespace {
@@ -70,6 +71,20 @@ std::int64_t spin_ns(const RunOptions& options) {
   return std::isnan(spin) ? -1 : std::llround(std::clamp(spin, -longest, longest) * 1e9);
 }
 
+/// @throw std::invalid_argument for a name of no signal, with the nearest one
+void check_kept(const std::vector<std::string>& keep, const std::vector<RowLayout>& layouts) {
+  std::vector<std::string> known;
+  for (const RowLayout& layout : layouts)
+    for (const RowSignal& signal : layout.signals()) known.push_back(signal.name);
+  for (const std::string& name : keep)
+    if (std::none_of(known.begin(), known.end(), [&](const std::string& one) {
+          return one == name || one.starts_with(name + ".");
+        }))
+      throw std::invalid_argument(
+          fmt::format("keep: the run has no signal \"{}\"{}", name,
+                      nearest(name, known).empty() ? "" : suggestion(name, known)));
+}
+
 }  // namespace
 
 std::string check_spin(const RunOptions& options, const Graph& graph) {
@@ -103,7 +118,8 @@ RunResult run(const Graph& graph, const RunOptions& options) {
     rings.emplace_back(ring_capacity(layouts[i], wired->groups()[i].period(), simulated), largest);
   std::vector<RowSink*> sinks = options.sinks;
   std::shared_ptr<RowStore> rows;
-  if (options.keep_rows) sinks.push_back((rows = std::make_shared<RowStore>()).get());
+  check_kept(options.keep, layouts);
+  if (options.keep_rows) sinks.push_back((rows = std::make_shared<RowStore>(options.keep)).get());
 
   for (std::size_t i = 0; i < layouts.size(); ++i)
     for (const OperatorRequest& request : options.requests)

@@ -32,8 +32,9 @@ struct RunOptions {
   std::vector<OperatorRequest> requests{};  // at their times
   /// In real time, asked some hundred times a second on a thread of its own: what is requested now.
   std::function<std::optional<Command::Kind>()> operator_input{};
-  bool engage = true;      // ask to render as soon as it is safe
-  bool keep_rows = false;  // for an experiment to compute with
+  bool engage = true;               // ask to render as soon as it is safe
+  bool keep_rows = false;           // for an experiment to compute with
+  std::vector<std::string> keep{};  // signals, ports or components of which; all when empty
   std::vector<RowSink*> sinks{};
   const StopFlag* stop = nullptr;
 };

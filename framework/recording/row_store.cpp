@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -16,28 +17,69 @@ namespace {
                   what, std::strerror(errno)));
 }
 
+/// One number of a row; integers and bools as doubles.
+double value_at(std::span<const std::byte> row, const RowSignal& signal) {
+  if (signal.scalar == Scalar::real) return number_at(row, signal.row_offset);
+  if (signal.scalar == Scalar::boolean) return row[signal.row_offset] == std::byte{0} ? 0.0 : 1.0;
+  std::int64_t integer = 0;
+  std::memcpy(&integer, row.data() + signal.row_offset, sizeof integer);
+  return static_cast<double>(integer);
+}
+
 }  // namespace
+
+bool RowStore::keeps(const std::string& name) const {
+  return std::any_of(wanted_.begin(), wanted_.end(), [&](const std::string& wanted) {
+    return name == wanted || name.starts_with(wanted + ".");
+  });
+}
 
 void RowStore::begin(const std::vector<RowLayout>& layouts, const WiredGraph&) {
   for (const RowLayout& layout : layouts) {
+    Group group{File(std::tmpfile(), &std::fclose), layout.size()};
+    if (!group.file) fail("no temporary file");
     for (RowSignal& signal : layout.signals()) {
+      if (!wanted_.empty() && !keeps(signal.name)) continue;
       signal.group = groups_.size();
+      if (!wanted_.empty()) {
+        group.picked.push_back(signal);
+        signal.scalar = Scalar::real;
+        signal.row_offset = sizeof(double) * group.picked.size();
+      }
       by_name_.emplace(signal.name, signals_.size());
       signals_.push_back(std::move(signal));
     }
-    groups_.push_back({File(std::tmpfile(), &std::fclose), layout.size(), 0});
-    if (!groups_.back().file) fail("no temporary file");
+    if (!wanted_.empty()) {
+      group.numbers.resize(1 + group.picked.size());
+      group.row_size = sizeof(double) * group.numbers.size();
+    }
+    groups_.push_back(std::move(group));
   }
 }
 
-void RowStore::row(std::size_t group, std::span<const std::byte> row) {
-  if (std::fwrite(row.data(), row.size(), 1, groups_[group].file.get()) != 1) fail("cannot write");
-  ++groups_[group].rows;
+void RowStore::row(std::size_t index, std::span<const std::byte> row) {
+  Group& group = groups_[index];
+  std::span<const std::byte> kept = row;
+  if (!wanted_.empty()) {
+    group.numbers[0] = static_cast<double>(header_of(row).time) * 1e-9;
+    for (std::size_t i = 0; i < group.picked.size(); ++i)
+      group.numbers[i + 1] = value_at(row, group.picked[i]);
+    kept = std::as_bytes(std::span<const double>(group.numbers));
+  }
+  if (std::fwrite(kept.data(), kept.size(), 1, group.file.get()) != 1) fail("cannot write");
+  ++group.rows;
 }
 
 void RowStore::end() {
   for (const Group& group : groups_)
     if (std::fflush(group.file.get()) != 0) fail("cannot write");
+}
+
+void RowStore::discard() {
+  for (Group& group : groups_) {
+    group.file.reset();
+    group.rows = 0;
+  }
 }
 
 const RowSignal* RowStore::find(std::string_view name) const {
@@ -48,6 +90,7 @@ const RowSignal* RowStore::find(std::string_view name) const {
 template <typename Take>
 void RowStore::for_each_row(std::size_t index, const Take& take) const {
   const Group& group = groups_[index];
+  if (!group.file) return;
   constexpr std::size_t rows_at_once = 512;
   std::vector<std::byte> block(rows_at_once * group.row_size);
   std::rewind(group.file.get());
@@ -64,17 +107,8 @@ void RowStore::for_each_row(std::size_t index, const Take& take) const {
 std::vector<double> RowStore::column(const RowSignal& signal) const {
   std::vector<double> values;
   values.reserve(groups_[signal.group].rows);
-  for_each_row(signal.group, [&](std::span<const std::byte> row) {
-    if (signal.scalar == Scalar::real) {
-      values.push_back(number_at(row, signal.row_offset));
-    } else if (signal.scalar == Scalar::integer) {
-      std::int64_t integer = 0;
-      std::memcpy(&integer, row.data() + signal.row_offset, sizeof integer);
-      values.push_back(static_cast<double>(integer));
-    } else {
-      values.push_back(row[signal.row_offset] == std::byte{0} ? 0.0 : 1.0);
-    }
-  });
+  for_each_row(signal.group,
+               [&](std::span<const std::byte> row) { values.push_back(value_at(row, signal)); });
   return values;
 }
 
@@ -82,7 +116,8 @@ std::vector<double> RowStore::time(std::size_t group) const {
   std::vector<double> values;
   values.reserve(groups_[group].rows);
   for_each_row(group, [&](std::span<const std::byte> row) {
-    values.push_back(static_cast<double>(header_of(row).time) * 1e-9);
+    values.push_back(wanted_.empty() ? static_cast<double>(header_of(row).time) * 1e-9
+                                     : number_at(row, 0));
   });
   return values;
 }

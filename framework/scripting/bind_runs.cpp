@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/scripting/run_columns.hpp"
 #include "framework/scripting/run_options.hpp"
 #include "framework/scripting/script_context.hpp"
 #include "framework/signal_math.hpp"
@@ -26,6 +27,12 @@ int run_graph(lua_State* state) {
     throw std::invalid_argument("trocar.run takes one table, e.g. { duration = \"10 s\" }");
   const Where at = where(state);
   RunOptions options = read_run_options(to_literal(state, 1), at);
+  if (lua_getfield(state, 1, "keep") == LUA_TTABLE)
+    for (lua_Integer i = 1; lua_rawgeti(state, -1, i) != LUA_TNIL; ++i) {
+      options.keep.push_back(signal_at(state, -1));
+      lua_pop(state, 1);
+    }
+  lua_settop(state, 1);
   if (script.session.options().check_only) {
     script.session.plan(options);
     script.ran = true;
@@ -79,13 +86,14 @@ int publish(lua_State* state) {
   return 0;
 }
 
+}  // namespace
+
 // --- results ----------------------------------------------------------------------------------
 
 const RowStore& rows_of(lua_State* state) {
   return *self<RunRef>(state, "run:mean(wall.load)").run->result.rows;
 }
 
-/// A signal's name, from an output or a string.
 std::string signal_at(lua_State* state, int index) {
   if (const auto* output = get<OutputRef>(state, index))
     return signal_name(context(state).graph(), *output);
@@ -95,13 +103,6 @@ std::string signal_at(lua_State* state, int index) {
                   " not {}",
                   luaL_tolstring(state, index, nullptr)));
 }
-
-/// The numbers of a signal, in each row of its thread: one column for a scalar, several for a
-/// vector or a pose.
-struct Columns {
-  std::vector<std::vector<double>> all;
-  std::size_t group = 0;  // of which thread
-};
 
 Columns columns(const RowStore& rows, const std::string& name) {
   Columns result;
@@ -119,12 +120,6 @@ Columns columns(const RowStore& rows, const std::string& name) {
   return result;
 }
 
-/// A signal that is one number in each row.
-struct Column {
-  std::vector<double> values;
-  std::size_t group = 0;  // of which thread
-};
-
 Column scalar(const RowStore& rows, const std::string& name) {
   Columns found = columns(rows, name);
   if (found.all.size() != 1)
@@ -133,12 +128,14 @@ Column scalar(const RowStore& rows, const std::string& name) {
   return {std::move(found.all.front()), found.group};
 }
 
-double time_field(lua_State* state, const char* name, double fallback) {
-  lua_getfield(state, 2, name);
+double time_field(lua_State* state, int table, const char* name, double fallback) {
+  lua_getfield(state, table, name);
   const Literal literal = to_literal(state, -1);
   lua_pop(state, 1);
   return literal.as<std::monostate>() ? fallback : quantity(literal, "s", name);
 }
+
+namespace {
 
 void push_fields(lua_State* state, std::initializer_list<std::pair<const char*, double>> fields) {
   lua_newtable(state);
@@ -178,8 +175,8 @@ int fit(lua_State* state) {
         "run:fit: the signals are of different threads, which have rows of their own; fit what one "
         "of them reads");
   const std::vector<double> time = rows.time(x.group);
-  const double from = time_field(state, "from", -infinity);
-  const double to = time_field(state, "to", infinity);
+  const double from = time_field(state, 2, "from", -infinity);
+  const double to = time_field(state, 2, "to", infinity);
   std::vector<double> px, py;
   for (std::size_t i = 0; i < x.values.size(); ++i) {
     if (chosen.values[i] == 0.0 || time[i] < from || time[i] > to) continue;
@@ -253,10 +250,11 @@ int result_index(lua_State* state) {
       lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
     }
   } else {
-    return luaL_error(state, "a run has no \"%s\"%s", name.c_str(),
-                      suggestion(name, {"duration", "ticks", "rate", "faults", "fit", "drift",
-                                        "mean", "rms", "min", "max", "first", "last", "at"})
-                          .c_str());
+    return luaL_error(
+        state, "a run has no \"%s\"%s", name.c_str(),
+        suggestion(name, {"duration", "ticks", "rate", "faults", "fit", "drift", "mean", "rms",
+                          "min", "max", "first", "last", "at", "samples", "discard"})
+            .c_str());
   }
   return 1;
 }
@@ -279,6 +277,8 @@ void open_runs(lua_State* state) {
                               {"first", guarded<summary<&SignalSummary::first>>},
                               {"last", guarded<summary<&SignalSummary::last>>},
                               {"at", guarded<value_at>},
+                              {"samples", guarded<samples>},
+                              {"discard", guarded<discard>},
                               {nullptr, nullptr}};
   luaL_getmetatable(state, Meta<RunRef>::name);
   luaL_newlib(state, methods);

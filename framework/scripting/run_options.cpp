@@ -110,12 +110,14 @@ RunOptions read_run_options(const Literal& literal, const Where& at) {
         options.wiring.set.insert_or_assign(name, Graph::Override{setting, at});
     } else if (key == "edits") {
       read_edits(value, at, options);
+    } else if (key == "keep") {
+      continue;  // outputs are no literals: trocar.run reads them itself
     } else if (key == "requests") {
       read_requests(value, options);
     } else {
-      throw std::invalid_argument(
-          fmt::format("trocar.run has no \"{}\"{}", key,
-                      suggestion(key, {"rate", "duration", "seed", "set", "edits", "requests"})));
+      throw std::invalid_argument(fmt::format(
+          "trocar.run has no \"{}\"{}", key,
+          suggestion(key, {"rate", "duration", "seed", "set", "edits", "requests", "keep"})));
     }
   }
   return options;

@@ -201,6 +201,7 @@ int open_world(lua_State* state) {
   open_threads(state);
   open_groups(state);
   open_runs(state);
+  open_least_squares(state);
   open_arguments(state);
   open_require(state);
   lua_setglobal(state, "trocar");

@@ -111,6 +111,7 @@ void open_arithmetic(lua_State* state);  // + - * on outputs: after open_graph
 void open_threads(lua_State* state);     // threads, latest, queue: after open_graph
 void open_groups(lua_State* state);
 void open_runs(lua_State* state);
+void open_least_squares(lua_State* state);
 /// require() takes what is preloaded, and files beside the script; no C modules.
 void open_require(lua_State* state);
 

@@ -1,0 +1,51 @@
+-- Which imperfection of the device makes which part of Table I's error: each is switched off by
+-- itself, on the same devices, and the figures move.
+--
+--   --set seeds=N       devices, seeds 1 and on (4)
+--   --set readings=N    of the instruments in each dwell (1000: their noise is not the matter here)
+
+local bench = require "incision_bench"
+local paper = require "paper"
+local print_table = require "print_table"
+local statistics = require "statistics"
+
+local seeds = trocar.args.seeds or 4
+local readings = trocar.args.readings or 1000
+local built = bench.build()
+
+-- Name, and the settings that switch it off. A new imperfection of the plant goes here.
+local imperfections = {
+  { "none is off", {} },
+  { "drive gain", { ["device.gain_error"] = false } },
+  { "friction", { ["device.friction"] = false } },
+  { "force ripple", { ["device.ripple"] = false } },
+  { "quantisation", { ["device.quantisation"] = false } },
+  { "homing error", { ["device.homing_error"] = false } },
+  { "weight error", { ["device.weight_error"] = false } },
+  { "all are off", { ["device.ideal"] = true } },
+}
+
+local measured = {}
+for i, one in ipairs(imperfections) do
+  measured[i] = bench.table1(built, 1, seeds, { set = one[2], readings = readings })
+end
+
+local function mean(rows, field) return statistics.mean(statistics.column(rows, field)) end
+
+for c, case in ipairs(paper.table1) do
+  local lines, whole = {}, mean(measured[1][c], "error")
+  for i, one in ipairs(imperfections) do
+    local rows = measured[i][c]
+    local error = mean(rows, "error")
+    local share = (whole - error) / whole
+    lines[i] = { one[1], ("%.2f"):format(100 * error),
+      ("%.2f"):format(100 * statistics.spread(statistics.column(rows, "error"))),
+      i == 1 and "" or ("%.0f"):format(100 * share), ("%.5f"):format(mean(rows, "r2")),
+      ("%.3f"):format(1000 * mean(rows, "hysteresis")) }
+    trocar.publish("ablation", { axis = case.axis, desired = 1000 * case.desired, without = one[1],
+      error = error, spread = statistics.spread(statistics.column(rows, "error")),
+      share = i == 1 and 0 or share, r2 = mean(rows, "r2"), hysteresis = mean(rows, "hysteresis") })
+  end
+  print_table(("%s, %d N/mm (paper: %.1f %%, R² %.3f); %d devices"):format(case.axis, case.desired,
+    case.error, case.r2, seeds), { "without", "error %", "spread", "share %", "R²", "hyst mm" }, lines)
+end
