@@ -9,6 +9,7 @@
 #include "components/kinematics/inertia_feed_forward.hpp"
 #include "components/kinematics/laparoscope_kinematics.hpp"
 #include "components/kinematics/laparoscope_statics.hpp"
+#include "components/kinematics/laparoscope_workspace.hpp"
 #include "components/kinematics/tool_reference.hpp"
 
 namespace trocar {
@@ -26,6 +27,8 @@ void register_laparoscope(Registry& registry) {
                                     "The effort that holds the laparoscope's weight");
   registry.add<InertiaFeedForward>("InertiaFeedForward", "kinematics",
                                    "The effort that a known motion of the axes needs");
+  registry.add<LaparoscopeWorkspace>("LaparoscopeWorkspace", "kinematics",
+                                     "Where the laparoscope's tool reaches, sampled");
   registry.add<ToolReference>("ToolReference", "kinematics",
                               "The axes' motion that makes the tip follow another");
   registry.add<FrictionCompensation>("FrictionCompensation", "control",
