@@ -53,7 +53,8 @@ for c, case in ipairs(paper.table1) do
       ("%.3f"):format(1000 * mean(rows, "hysteresis")) }
     trocar.publish("ablation", { axis = case.axis, desired = 1000 * case.desired, without = one[1],
       error = error, spread = statistics.spread(statistics.column(rows, "error")),
-      share = i == 1 and 0 or share, moved = moved(rows, measured[1][c]), r2 = mean(rows, "r2"), hysteresis = mean(rows, "hysteresis") })
+      share = i == 1 and 0 or share, moved = moved(rows, measured[1][c]),
+      r2 = mean(rows, "r2"), hysteresis = mean(rows, "hysteresis") })
   end
   print_table(("%s, %d N/mm (paper: %.1f %%, R² %.3f); %d devices"):format(case.axis, case.desired,
     case.error, case.r2, seeds), { "without", "error %", "share %", "moves %", "R²", "hyst mm" }, lines)
