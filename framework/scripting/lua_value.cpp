@@ -10,7 +10,7 @@ namespace {
 
 constexpr int deepest_table = 16;
 
-Literal to_literal(lua_State* state, int index, int depth);
+Literal nested_literal(lua_State* state, int index, int depth);
 
 Literal table_to_literal(lua_State* state, int index, int depth) {
   if (depth > deepest_table) return {std::string("a table that is nested too deeply")};
@@ -20,7 +20,7 @@ Literal table_to_literal(lua_State* state, int index, int depth) {
   Literal::Table named;
   for (const Key& key : ordered_keys(state, table)) {
     push_value(state, table, key);
-    Literal part = to_literal(state, -1, depth + 1);
+    Literal part = nested_literal(state, -1, depth + 1);
     lua_pop(state, 1);
     if (key.number > 0)
       list.push_back(std::move(part));
@@ -33,7 +33,7 @@ Literal table_to_literal(lua_State* state, int index, int depth) {
   return {std::move(named)};
 }
 
-Literal to_literal(lua_State* state, int index, int depth) {
+Literal nested_literal(lua_State* state, int index, int depth) {
   switch (lua_type(state, index)) {
     case LUA_TNIL:
       return {};
@@ -115,7 +115,7 @@ void push_value(lua_State* state, int table, const Key& key) {
 }
 
 Literal to_literal(lua_State* state, int index) {
-  return to_literal(state, index, 0);
+  return nested_literal(state, index, 0);
 }
 
 void push_literal(lua_State* state, const Literal& literal) {
