@@ -20,6 +20,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework ${PROJECT_SOURCE_DIR}/componen
   DESTINATION ${trocar_include_dir} FILES_MATCHING PATTERN "*.hpp"
   PATTERN framework/cmake EXCLUDE
   PATTERN framework/scripting/lua_value.hpp EXCLUDE
+  PATTERN framework/scripting/run_columns.hpp EXCLUDE
   PATTERN framework/scripting/script_context.hpp EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/trocar PATTERN scripts/dev EXCLUDE)

@@ -18,7 +18,11 @@ local built = bench.build()
 local imperfections = {
   { "none is off", {} },
   { "drive gain", { ["device.gain_error"] = false } },
+  { "gain drift", { ["device.gain_drift"] = false } },
   { "friction", { ["device.friction"] = false } },
+  { "Stribeck", { ["device.stribeck"] = false } },
+  { "compliance", { ["device.compliance"] = false } },
+  { "cogging", { ["device.cogging"] = false } },
   { "force ripple", { ["device.ripple"] = false } },
   { "quantisation", { ["device.quantisation"] = false } },
   { "homing error", { ["device.homing_error"] = false } },

@@ -69,7 +69,7 @@ class TestBench : public QObject {
     row("rounds of an hour", {"--round-time", "1h"}, "--round-time");
     row("rounds of a thousand seconds", {"--round-time", "1000s"}, "longer than the 600 s");
     row("a round with too few slots", {"--rates", "10Hz"},
-        "\"2s\" has 20 slots at 10 Hz: at least 100 are needed");
+        "\"1s\" has 10 slots at 10 Hz: at least 100 are needed");
     row("a spin as long as a period", {"--spin", "100us"},
         "--spin: a guard spin of 100 µs at a period of 100 µs");
     row("a negative spin", {"--spin=-1us"}, "is negative");

@@ -66,6 +66,15 @@ Rows of(const Rows& rows, const Case& one) {
   return rows.where("axis", {std::string(one.axis)}).where("desired", {one.desired});
 }
 
+/// Of the mean over devices.
+double standard_error(const Rows& rows) {
+  const std::vector<double> errors = rows.numbers("error");
+  double squares = 0.0;
+  for (const double error : errors) squares += std::pow(error - rows.mean("error"), 2);
+  const auto n = static_cast<double>(errors.size());
+  return std::sqrt(squares / (n - 1.0) / n);
+}
+
 QString text(const Case& one, double value) {
   return QString("%1 at %2 N/m: %3").arg(one.axis).arg(one.desired).arg(value, 0, 'g', 6);
 }
@@ -135,7 +144,8 @@ class TestExperiments : public QObject {
       QVERIFY2(open.mean("error") > 0.0 && open.mean("error") < 0.06,
                qPrintable(text(one, open.mean("error"))));
       QVERIFY2(open.mean("r2") >= 0.97, qPrintable(text(one, open.mean("r2"))));
-      QVERIFY2(std::abs(compensated.mean("error")) <= 0.01,
+      // Three devices tell the mean to within twice its standard error.
+      QVERIFY2(std::abs(compensated.mean("error")) <= 0.01 + 2.0 * standard_error(compensated),
                qPrintable(text(one, compensated.mean("error"))));
       QVERIFY2(compensated.mean("r2") >= 0.999, qPrintable(text(one, compensated.mean("r2"))));
       QVERIFY2(std::abs(compensated.mean("hysteresis")) < 0.5 * open.mean("hysteresis"),
@@ -183,11 +193,17 @@ class TestExperiments : public QObject {
       // The slope is in proportion to the drives' gain, 0.9655 ± 0.004 each.
       QVERIFY2(std::abs(error - without(one, "drive gain").mean("error") - 0.0345) < 0.01,
                qPrintable(text(one, error - without(one, "drive gain").mean("error"))));
-      // Friction is the hysteresis: at most 2 f_c / K, f_c = 0.62 N at the tip, and makes the
-      // slope too high.
+      // Friction is the hysteresis: at most 2 f_s / K, and makes the slope too high. At the tip
+      // f_c = 0.62 N, and f_s = 1.2 f_c by Stribeck's effect.
       const double gap = base.mean("hysteresis");
-      QVERIFY2(gap < 2.0 * 0.62 / one.desired * 1.05 && gap > 1.0 * 0.62 / one.desired,
+      QVERIFY2(gap < 2.0 * 1.2 * 0.62 / one.desired * 1.05 && gap > 1.0 * 0.62 / one.desired,
                qPrintable(text(one, gap)));
+      const double coulomb = without(one, "Stribeck").mean("hysteresis");
+      QVERIFY2(coulomb < 2.0 * 0.62 / one.desired * 1.05 && coulomb < gap,
+               qPrintable(text(one, coulomb)));
+      // The transmissions, 3000 N/mm at the tip, are in series with the rendered spring.
+      const double yielded = without(one, "compliance").mean("moved");
+      QVERIFY2(std::abs(yielded - one.desired / 3e6) < 0.001, qPrintable(text(one, yielded)));
       QVERIFY(std::abs(without(one, "friction").mean("hysteresis")) < 0.05 * gap);
       QVERIFY(without(one, "friction").mean("r2") > base.mean("r2"));
       QVERIFY(without(one, "friction").mean("error") > error);
@@ -196,7 +212,8 @@ class TestExperiments : public QObject {
       const double rippled = without(one, "force ripple").mean("moved");
       QVERIFY2(rippled > 0.0005 && rippled < 1.76 * 0.007, qPrintable(text(one, rippled)));
       // These are offsets, which a slope does not see.
-      for (const char* small : {"quantisation", "homing error", "weight error"})
+      for (const char* small :
+           {"quantisation", "homing error", "weight error", "cogging", "gain drift"})
         QVERIFY2(without(one, small).mean("moved") < 0.005,
                  qPrintable(text(one, without(one, small).mean("moved")) + " " + small));
       QVERIFY(std::abs(without(one, "all are off").mean("error")) < 0.002);
