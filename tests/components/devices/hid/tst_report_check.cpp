@@ -111,7 +111,7 @@ class TestReportCheck : public QObject {
       device.state.time_us = 0;
       QCOMPARE(check.take(device.report(), device.host_ns), ReportVerdict::stale);
     }
-    device.state.time_us = 4000 - 5000;  // backwards
+    device.state.time_us = 4000u - 5000u;  // backwards
     ++device.state.sequence;
     QCOMPARE(check.take(device.report(), device.host_ns), ReportVerdict::stale);
     device.state.time_us = 5000;
