@@ -24,6 +24,7 @@ void add_info(CLI::App& app, int& status);
 void add_kinematics(CLI::App& app, int& status);
 void add_list(CLI::App& app, int& status);
 void add_run(CLI::App& app, int& status);
+void add_test(CLI::App& app, int& status);
 void add_workspace(CLI::App& app, int& status);
 
 }  // namespace trocar::cli

@@ -14,6 +14,7 @@ int run(int argc, char** argv) {
   set_up(app);
   add_run(app, status);
   add_check(app, status);
+  add_test(app, status);
   add_graph(app, status);
   add_list(app, status);
   add_describe(app, status);

@@ -21,6 +21,10 @@ void ScriptOptions::add_to(CLI::App& command) {
           "Override a parameter (wall.stiffness=\"3 N/mm\"), or set an entry of trocar.args "
           "(subject=7)")
       ->allow_extra_args(false);
+  add_seed_option(command, seed);
+}
+
+void add_seed_option(CLI::App& command, std::optional<std::uint64_t>& seed) {
   command.add_option("--seed", seed, "Of everything random (default 1)")
       ->check([](const std::string& text) {
         const bool whole = !text.empty() && text.size() <= most_digits &&

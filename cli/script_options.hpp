@@ -22,6 +22,9 @@ struct ScriptOptions {
   void split(Graph::Overrides& parameters, Graph::Overrides& arguments) const;
 };
 
+/// --seed, a whole number.
+void add_seed_option(CLI::App& command, std::optional<std::uint64_t>& seed);
+
 /// A check for options that take a file's name: what is wrong, or "".
 std::string check_file_name(const std::string& text);
 

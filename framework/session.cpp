@@ -69,7 +69,7 @@ RowLayout::Selection Session::selection() const {
 void Session::open_log(const WiredGraph* wired) {
   if (log_opened_) return;
   log_opened_ = true;
-  if (!options_.record && find_logger(graph_) == nullptr) return;
+  if (!options_.write_files || (!options_.record && find_logger(graph_) == nullptr)) return;
   log_path_ = wanted_log();
   log_ =
       std::make_unique<LogFile>(log_path_, options_.clock == ClockKind::simulated ? 0 : date_ns());
@@ -92,7 +92,7 @@ std::string Session::stem() const {
 }
 
 std::vector<RowSink*> Session::begin_captures(const WiredGraph& wired) {
-  if (!captures_.wanted(graph_)) return {};
+  if (!options_.write_files || !captures_.wanted(graph_)) return {};
   SessionCaptures::Run run{.graph = graph_, .stem = stem()};
   if (log_)
     run.epoch_ns = log_->start_ns();

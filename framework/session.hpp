@@ -26,6 +26,7 @@ struct SessionOptions {
   Graph::Overrides set{};                      // --set
   std::optional<BlackBoxOptions> black_box{};  // --black-box
   bool check_only = false;                     // stop at the first run
+  bool write_files = true;                     // logs and captures that the script asks for
   bool print_to_stderr = false;                // what the script prints
   const StopFlag* stop = nullptr;
   std::function<std::optional<Command::Kind>()> operator_input{};  // see RunOptions
@@ -56,9 +57,10 @@ class Session {
 
   /// A script's text, for the log.
   void add_script(std::string name, std::string text);
-  /// How the first run wires the graph, for those who only look at it.
-  const WiringOptions& first_wiring() const { return first_wiring_; }
-  void plan(const RunOptions& first) { first_wiring_ = first.wiring; }
+  /// How the script would run the graph first, for those who only look at it.
+  const std::optional<RunOptions>& planned() const { return planned_; }
+  WiringOptions first_wiring() const { return planned_ ? planned_->wiring : WiringOptions{}; }
+  void plan(RunOptions first) { planned_ = std::move(first); }
   /// Runs the graph as it stands; `wanted` is what the script asks, the options win.
   /// @throw BrokenGraph with every finding
   const SessionRun& run(RunOptions wanted);
@@ -85,7 +87,7 @@ class Session {
 
   SessionOptions options_;
   Graph graph_;
-  WiringOptions first_wiring_;
+  std::optional<RunOptions> planned_{};
   std::vector<std::pair<std::string, std::string>> scripts_;
   std::unique_ptr<LogFile> log_;
   std::string log_path_;

@@ -22,6 +22,7 @@ std::string signal_at(lua_State* state, int index);
 struct Columns {
   std::vector<std::vector<double>> all;
   std::size_t group = 0;  // of which thread
+  Unit unit{};            // of the last
 };
 /// @throw std::invalid_argument for a signal that the run does not have, with the nearest one
 Columns columns(const RowStore& rows, const std::string& name);
@@ -33,6 +34,14 @@ struct Column {
 };
 /// @throw std::invalid_argument for a signal of several numbers
 Column scalar(const RowStore& rows, const std::string& name);
+
+/// A signal of a run with the times of its rows [s].
+struct SignalColumns {
+  std::vector<std::vector<double>> all;
+  std::vector<double> time;
+  Unit unit{};
+};
+SignalColumns columns_of(const SignalRef& signal);
 
 /// A time in a field of a table, or `fallback` where there is none [s].
 double time_field(lua_State* state, int table, const char* name, double fallback);

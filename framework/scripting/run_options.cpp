@@ -92,9 +92,13 @@ void read_requests(const Literal& literal, RunOptions& options) {
 
 }  // namespace
 
-RunOptions read_run_options(const Literal& literal, const Where& at) {
+RunOptions default_run_options() {
   RunOptions options{.keep_rows = true};
   options.duration = 1.0;
+  return options;
+}
+
+RunOptions read_run_options(const Literal& literal, const Where& at, RunOptions options) {
   for (const auto& [key, value] : table_of(literal, "trocar.run")) {
     if (key == "rate") {
       options.wiring.rate = within(quantity(value, "Hz", key), 1.0, 1e5, "1 Hz to 100 kHz", key);

@@ -10,8 +10,12 @@ namespace trocar::lua {
 /// @throw std::invalid_argument
 double quantity(const Literal& literal, const char* unit, const std::string& what);
 
+/// Where trocar.run is not told otherwise.
+RunOptions default_run_options();
+
 /// The table that trocar.run takes.
+/// @param options what holds where the table says nothing
 /// @throw std::invalid_argument with what is wrong and what is possible
-RunOptions read_run_options(const Literal& literal, const Where& at);
+RunOptions read_run_options(const Literal& literal, const Where& at, RunOptions options);
 
 }  // namespace trocar::lua

@@ -38,6 +38,16 @@ struct Placeholder {
 struct RunRef {
   const SessionRun* run = nullptr;
 };
+/// `run["wall.force"]`, or its length: `run["wall.force"]:norm()`.
+struct SignalRef {
+  const SessionRun* run = nullptr;
+  std::string name;
+  bool norm = false;
+};
+/// What trocar.load returned: a script's graph, to be run.
+struct RigRef {
+  Session* session = nullptr;
+};
 
 template <>
 struct Meta<NodeRef> {
@@ -75,19 +85,32 @@ template <>
 struct Meta<RunRef> {
   static constexpr const char* name = "trocar.result";
 };
+template <>
+struct Meta<SignalRef> {
+  static constexpr const char* name = "trocar.signal";
+};
+template <>
+struct Meta<RigRef> {
+  static constexpr const char* name = "trocar.rig";
+};
+
+struct SpecContext;
 
 /// What the functions of the binding share; one for each script that runs.
 struct ScriptContext {
   Session& session;
   Graph::Overrides arguments;
-  std::filesystem::path folder;           // of the script
-  std::vector<std::string> scopes{};      // names of the groups that are being built
-  bool ran = false;                       // the script called trocar.run
-  bool stopped = false;                   // the operator ended a run, and the script with it
-  std::optional<Findings> broken{};       // why a run did not begin
-  std::set<NodeId> nameless{};            // what operators made, until :as names it
-  std::set<ThreadId> nameless_threads{};  // until a variable names them
-  std::vector<std::string> asked{};       // entries of trocar.args that the script wanted
+  std::filesystem::path folder;                  // of the script
+  std::vector<std::string> scopes{};             // names of the groups that are being built
+  bool ran = false;                              // the script called trocar.run
+  bool stopped = false;                          // the operator ended a run, and the script with it
+  std::optional<Findings> broken{};              // why a run did not begin
+  std::set<NodeId> nameless{};                   // what operators made, until :as names it
+  std::set<ThreadId> nameless_threads{};         // until a variable names them
+  std::vector<std::string> asked{};              // entries of trocar.args that the script wanted
+  std::vector<std::unique_ptr<Session>> rigs{};  // of trocar.load and trocar.experiment
+  std::set<const RunResult*> faults_looked_at{};  // the script asked for their faults
+  SpecContext* spec = nullptr;                    // of a spec that is being tested
 
   Graph& graph() { return session.graph(); }
   std::string scope() const { return scopes.empty() ? std::string() : scopes.back(); }
@@ -97,6 +120,12 @@ struct ScriptContext {
 };
 
 ScriptContext& context(lua_State* state);
+
+/// Runs a session's graph as a script asks, and pushes the result. In a check the script ends here.
+int run_session(lua_State* state, Session& session, RunOptions options);
+/// The table at `index`, as trocar.run takes it.
+/// @param base what holds where the table says nothing
+RunOptions run_options_at(lua_State* state, int index, RunOptions base);
 
 /// Adds a finding at the line that is running and pushes a placeholder.
 int push_placeholder(lua_State* state, const std::string& what, const std::string& finding);
@@ -111,9 +140,19 @@ void open_arithmetic(lua_State* state);  // + - * on outputs: after open_graph
 void open_threads(lua_State* state);     // threads, latest, queue: after open_graph
 void open_groups(lua_State* state);
 void open_runs(lua_State* state);
+void open_results(lua_State* state);  // of runs: of open_runs
 void open_least_squares(lua_State* state);
+void open_rigs(lua_State* state);           // scripts in the hands of scripts
+void open_specs(lua_State* state);          // describe, it, expect, as globals
+void open_ordered_pairs(lua_State* state);  // as globals
 /// require() takes what is preloaded, and files beside the script; no C modules.
 void open_require(lua_State* state);
+
+/// "file:3: message" as a finding at that line.
+Finding finding_of(const std::string& script, const std::string& message);
+
+/// @throw BrokenGraph when it cannot be read
+std::string script_text(const std::string& path);
 
 /// Its content, or nothing when it cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& path);

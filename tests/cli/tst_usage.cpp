@@ -34,7 +34,8 @@ class TestUsage : public QObject {
     row("of dynamics", {"kinematics", "dynamics", "--help"}, 0, "I_ring_eff", "");
     row("of workspace", {"workspace", "--help"}, 0, "Example:\n  trocar workspace --tool-length",
         "");
-    row("no command", {}, 2, "", "trocar: a command is needed: run, check, graph, list, describe");
+    row("no command", {}, 2, "",
+        "trocar: a command is needed: run, check, test, graph, list, describe");
     row("an unknown command", {"lsit"}, 2, "",
         "trocar: there is no command \"lsit\", did you mean \"list\"?");
     row("an unknown option", {"list", "--jsn"}, 2, "",

@@ -2,6 +2,7 @@
 // Each tutorial prints what its last comment says: the command is on the line that begins with
 // "--   trocar", the lines of its output are marked with "-->".
 #include <QDir>
+#include <QRegularExpression>
 #include <QTest>
 
 #include "tests/cli/trocar_process.hpp"
@@ -15,7 +16,8 @@ class TestTutorials : public QObject {
   void it_prints_what_it_says_data() {
     QTest::addColumn<QString>("path");
     const QDir folder(TROCAR_SOURCE_DIR "/scripts/tutorial");
-    for (const QString& name : folder.entryList({"*.lua"}))
+    for (const QString& name :
+         folder.entryList({"*.lua"}).filter(QRegularExpression("(?<!_spec)\\.lua$")))
       QTest::newRow(qPrintable(name)) << folder.filePath(name);
   }
   void it_prints_what_it_says() {

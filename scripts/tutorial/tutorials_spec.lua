@@ -1,0 +1,68 @@
+-- What the tutorials show, as assertions over signals. Run: trocar test scripts/tutorial
+
+describe("01_feel_a_wall", function()
+  local run
+  before_each(function()
+    run = trocar.load("01_feel_a_wall.lua"):run { duration = "5 s" }
+    expect(run.faults):empty()
+  end)
+
+  it("pushes back against the hand, and never pulls", function()
+    expect(run["wall.force.z"]):always("<=", "0 N")
+    expect(run["wall.force.z"]):crosses("-1 N", { times = 1, way = "down", before = "1.5 s" })
+  end)
+
+  it("is a spring of the stiffness that was asked for", function()
+    local line = run:fit { x = "wall.depth", y = "wall.load", from = "1.5 s" }
+    expect(line.slope):near("2.2 N/mm", { within = "0.1 %" })
+  end)
+
+  it("gives the hand no energy", function()
+    expect(run["wall.force"]):energy("<=", "0.1 mJ", { velocity = run["laparoscope.tool.tip.velocity"] })
+  end)
+end)
+
+describe("02_incision", function()
+  it("renders springs that are softer than asked for, as drives and friction make them", function()
+    local rows = trocar.experiment("02_incision.lua").published.table1
+    expect(#rows):equals(4)
+    for i, stiffness in ipairs { "5 N/mm", "15 N/mm", "6 N/mm", "18 N/mm" } do
+      expect(rows[i].desired):equals(stiffness)
+      expect(rows[i].slope):near(stiffness, { within = "6 %" })
+      expect(rows[i].r2):is(">=", 0.97)
+    end
+  end)
+end)
+
+describe("03_tilted", function()
+  it("does not sag", function()
+    local done = trocar.experiment("03_tilted.lua")
+    expect(done.runs[1].faults):empty()
+    expect(done.published.drift[1].tip):near(0, { within = "10 um" })
+  end)
+
+  it("sags where the mount is not known to the compensation", function()
+    local rig = trocar.load("03_tilted.lua", { ["gravity_compensation.mount"] = { pitch = "0 deg" } })
+    local run = rig:run { duration = "2 s" }
+    expect(run.faults):empty()
+    expect(run:drift("laparoscope_kinematics.tip.position")):is(">", "5 mm")
+  end)
+end)
+
+describe("04_two_rates", function()
+  local run
+  before_each(function()
+    run = trocar.load("04_two_rates.lua"):run { duration = "8 s" }
+    expect(run.faults):empty()
+  end)
+
+  it("moves the surface with the breath, and lets it yield", function()
+    expect(run["surface.value"]):within("-5 mm", "3 mm")
+    expect(run["creep.depth"]):always(">=", "0 mm")
+    expect(run["creep.depth"]):eventually(">", "0.4 mm")
+  end)
+
+  it("reads no surface that is stale", function()
+    expect(run["wall.offset_valid"]):always("==", true, { from = "0.05 s" })
+  end)
+end)
