@@ -10,7 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/keyboard.hpp"
+#include "cli/intervention.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/script_options.hpp"
@@ -33,6 +33,7 @@ struct RunArguments {
   std::optional<std::string> record;
   std::string black_box;
   std::string json;
+  bool console = false;
 };
 
 /// A file that cannot be written is found before the run, and one that was there stays whole.
@@ -61,21 +62,19 @@ SessionOptions session_options(const RunArguments& arguments) {
 
 int run(const RunArguments& arguments) {
   if (!arguments.json.empty() && arguments.json != "-") check_writable(arguments.json);
+  if (arguments.console && arguments.clock != "realtime")
+    throw CLI::ValidationError("--console", "needs --clock realtime: nobody types in virtual time");
   Registry registry;
   register_components(registry);
   SessionOptions options = session_options(arguments);
   Graph::Overrides script_arguments;
   arguments.script.split(options.set, script_arguments);
   Progress progress;
-  if (isatty(STDERR_FILENO) != 0) options.progress = &progress;
+  if (isatty(STDERR_FILENO) != 0 && !arguments.console) options.watch = &progress;
   options.default_duration = default_simulated_duration;
   options.stop = &stop_on_interrupt();
-  std::optional<Keyboard> keyboard;
-  if (options.clock == ClockKind::realtime) keyboard.emplace();
-  if (keyboard && keyboard->there()) {
-    options.operator_input = [&keyboard] { return keyboard->next(); };
-    fmt::print(stderr, "{}\n", Keyboard::help);
-  }
+  std::optional<Intervention> intervention;
+  if (options.clock == ClockKind::realtime) intervention.emplace(arguments.console).add_to(options);
   Session session(registry, options);
   int status = success;
   try {
@@ -116,6 +115,9 @@ void add_run(CLI::App& app, int& status) {
                    "Where the last 5 s before a fault are written, or off (default: beside the "
                    "log or after the script, NAME.blackbox-1.mcap)")
       ->type_name("FILE.mcap|off");
+  command->add_flag("--console", arguments->console,
+                    "Type while it runs: names of signals and parameters, wall.stiffness = 3 N/mm, "
+                    "help");
   command->footer(
       "Example:\n"
       "  trocar run scripts/tutorial/01_feel_a_wall.lua --for 5s --clock simulated\n"

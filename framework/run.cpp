@@ -147,17 +147,16 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   std::optional<CpuLatencyHold> hold;
   if (options.timing.hold_latency && !simulated) hold.emplace();
 
+  RowPump pump(rings, sinks, layouts, *wired, simulated);
+  RunControl control(graph, options.wiring, *wired, queues);
   std::optional<BackgroundPoller> operator_input;
   if (options.operator_input && !simulated)
     operator_input.emplace(
         [&] {
-          const auto kind = options.operator_input();
-          for (CommandQueue& queue : queues)
-            if (kind) queue.try_push({.kind = *kind});
-          return kind.has_value();
+          control.flush();
+          return options.operator_input(control);
         },
         std::chrono::milliseconds(5));
-  RowPump pump(rings, sinks, layouts, *wired, simulated);
   const std::int64_t begin = monotonic_ns();
   Shortcomings shortcomings;
   if (simulated)

@@ -11,6 +11,7 @@
 #include "framework/executor.hpp"
 #include "framework/recording/row_sink.hpp"
 #include "framework/recording/row_store.hpp"
+#include "framework/run_control.hpp"
 
 namespace trocar {
 
@@ -30,8 +31,9 @@ struct RunOptions {
   WiringOptions wiring{};
   std::vector<Edit> edits{};
   std::vector<OperatorRequest> requests{};  // at their times
-  /// In real time, asked some hundred times a second on a thread of its own: what is requested now.
-  std::function<std::optional<Command::Kind>()> operator_input{};
+  /// In real time, called some hundred times a second on a thread of its own, for somebody who
+  /// watches and intervenes. @return whether there was something to do
+  std::function<bool(RunControl&)> operator_input{};
   bool engage = true;               // ask to render as soon as it is safe
   bool keep_rows = false;           // for an experiment to compute with
   std::vector<std::string> keep{};  // signals, ports or components of which; all when empty

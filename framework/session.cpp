@@ -136,7 +136,7 @@ const SessionRun& Session::run(RunOptions wanted) {
   }
   const std::vector<RowSink*> captures = begin_captures(*wired);
   wanted.sinks.insert(wanted.sinks.end(), captures.begin(), captures.end());
-  if (options_.progress != nullptr) wanted.sinks.push_back(options_.progress);
+  if (options_.watch != nullptr) wanted.sinks.push_back(options_.watch);
   one->result = trocar::run(graph_, wanted);
   one->captured = captures_.end();
   for (const std::string& message : one->captured.troubles) trouble(message);

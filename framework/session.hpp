@@ -29,8 +29,8 @@ struct SessionOptions {
   bool write_files = true;                     // logs and captures that the script asks for
   bool print_to_stderr = false;                // what the script prints
   const StopFlag* stop = nullptr;
-  std::function<std::optional<Command::Kind>()> operator_input{};  // see RunOptions
-  RowSink* progress = nullptr;
+  std::function<bool(RunControl&)> operator_input{};  // see RunOptions
+  RowSink* watch = nullptr;                           // of every run
 };
 
 /// A row of results that a script published: names and values, in the script's order.

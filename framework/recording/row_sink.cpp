@@ -35,4 +35,12 @@ double number_at(std::span<const std::byte> row, std::size_t offset) {
   return number;
 }
 
+double signal_value(std::span<const std::byte> row, const RowSignal& signal) {
+  if (signal.scalar == Scalar::real) return number_at(row, signal.row_offset);
+  if (signal.scalar == Scalar::boolean) return row[signal.row_offset] == std::byte{0} ? 0.0 : 1.0;
+  std::int64_t integer = 0;
+  std::memcpy(&integer, row.data() + signal.row_offset, sizeof integer);
+  return static_cast<double>(integer);
+}
+
 }  // namespace trocar

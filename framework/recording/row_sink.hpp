@@ -49,5 +49,7 @@ Event missed_event(const char* reader, std::uint64_t records, std::int64_t tick,
 
 RowHeader header_of(std::span<const std::byte> row);
 double number_at(std::span<const std::byte> row, std::size_t offset);
+/// One number of a row; integers and bools as doubles.
+double signal_value(std::span<const std::byte> row, const RowSignal& signal);
 
 }  // namespace trocar

@@ -17,15 +17,6 @@ namespace {
                   what, std::strerror(errno)));
 }
 
-/// One number of a row; integers and bools as doubles.
-double value_at(std::span<const std::byte> row, const RowSignal& signal) {
-  if (signal.scalar == Scalar::real) return number_at(row, signal.row_offset);
-  if (signal.scalar == Scalar::boolean) return row[signal.row_offset] == std::byte{0} ? 0.0 : 1.0;
-  std::int64_t integer = 0;
-  std::memcpy(&integer, row.data() + signal.row_offset, sizeof integer);
-  return static_cast<double>(integer);
-}
-
 }  // namespace
 
 bool RowStore::keeps(const std::string& name) const {
@@ -63,7 +54,7 @@ void RowStore::row(std::size_t index, std::span<const std::byte> row) {
   if (!wanted_.empty()) {
     group.numbers[0] = static_cast<double>(header_of(row).time) * 1e-9;
     for (std::size_t i = 0; i < group.picked.size(); ++i)
-      group.numbers[i + 1] = value_at(row, group.picked[i]);
+      group.numbers[i + 1] = signal_value(row, group.picked[i]);
     kept = std::as_bytes(std::span<const double>(group.numbers));
   }
   if (std::fwrite(kept.data(), kept.size(), 1, group.file.get()) != 1) fail("cannot write");
@@ -107,8 +98,9 @@ void RowStore::for_each_row(std::size_t index, const Take& take) const {
 std::vector<double> RowStore::column(const RowSignal& signal) const {
   std::vector<double> values;
   values.reserve(groups_[signal.group].rows);
-  for_each_row(signal.group,
-               [&](std::span<const std::byte> row) { values.push_back(value_at(row, signal)); });
+  for_each_row(signal.group, [&](std::span<const std::byte> row) {
+    values.push_back(signal_value(row, signal));
+  });
   return values;
 }
 
