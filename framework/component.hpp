@@ -54,6 +54,15 @@ class Component : public ParameterSet {
   /// One tick: reads the inputs, writes the outputs.
   virtual void step(const Tick& tick) RT_SAFE = 0;
   virtual void stop() {}
+  /// Says that it makes a signal of how long its steps take.
+  virtual bool wants_duration() const { return false; }
+  /// After each step where the loop measures in real time.
+  virtual void take_duration(std::int64_t /*ns*/) RT_SAFE {}
+  /// Says that it has work for the time between two ticks, when efforts and rows are sent.
+  virtual bool wants_slack() const { return false; }
+  /// A bounded part of that work. It comes after a tick, and not after each: a tick that took
+  /// more than half its period leaves none.
+  virtual void use_slack() RT_SAFE {}
 
   /// Why it gave up, or null. The executor looks after each step.
   const char* failure() const RT_SAFE { return failure_; }

@@ -22,6 +22,8 @@ Executor::Executor(const RateGroup& group, ExecutorOptions options)
   for (Device* device : group.devices()) gates_.emplace_back(*device, group.period(), faults_);
   for (const Gate& gate : gates_) gate_states_.push_back(gate.state());
   const std::size_t count = group.schedule().size();
+  for (const ScheduleItem& item : group.schedule())
+    if (item.component->wants_slack()) in_slack_.push_back(item.component);
   times_.resize(count);
   statistics_.components.resize(count);
 }
@@ -86,9 +88,17 @@ void Executor::tick(const Slot& slot, bool simulated) RT_SAFE {
   ++statistics_.ticks;
   statistics_.skipped += slot.skipped;
   statistics_.lateness.add(slot.lateness_ns);
-  if (!options_.timing) return;
-  last_duration_ = (simulated ? end : monotonic_ns()) - begin;
-  statistics_.duration.add(last_duration_);
+  if (options_.timing) {
+    last_duration_ = (simulated ? end : monotonic_ns()) - begin;
+    statistics_.duration.add(last_duration_);
+  }
+  if (!in_slack_.empty()) use_slack();
+}
+
+/// In virtual time always: what is done may not depend on how long something took.
+void Executor::use_slack() RT_SAFE {
+  if (!simulated_ && 2 * last_duration_ > group_.period_ns()) return;
+  for (Component* component : in_slack_) component->use_slack();
 }
 
 inline Tick Executor::tick_of(std::int64_t index) const RT_SAFE {
@@ -205,7 +215,8 @@ void Executor::acknowledge(Event event) RT_SAFE {
 inline void Executor::step_all(const Tick& tick, std::int64_t begin) RT_SAFE {
   if (!options_.timing) return stepper_.step(tick);
   const bool first = !std::exchange(edited_, false) && group_.arrivals().empty();
-  stepper_.step(tick, first ? begin : monotonic_ns(), {times_, statistics_.components});
+  stepper_.step(tick, first ? begin : monotonic_ns(),
+                {times_, statistics_.components, !simulated_});
 }
 
 void Executor::pass_gates(const Tick& tick) RT_SAFE {

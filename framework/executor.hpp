@@ -51,8 +51,8 @@ struct LoopStatistics {
 
 /// Runs what one thread of a wired graph does, once, tick by tick: commands → what other threads
 /// sent → devices report → step in order → gates write → what other threads get → the row is handed
-/// over. Everything it does in a tick is bounded, allocates nothing and waits
-/// for nobody but its clock.
+/// over → what may wait is done. Everything it does in a tick is bounded, allocates nothing and
+/// waits for nobody but its clock.
 class Executor {
  public:
   Executor(const RateGroup& group, ExecutorOptions options);
@@ -91,6 +91,7 @@ class Executor {
   void pass_gates(const Tick& tick) RT_SAFE;
   void send_across(const Tick& tick) RT_SAFE;
   void end() RT_SAFE;
+  void use_slack() RT_SAFE;
   void report_changes(const Tick& tick) RT_SAFE;
   void report_faults() RT_SAFE;
   void report_gates(const Tick& tick) RT_SAFE;
@@ -105,7 +106,8 @@ class Executor {
   std::vector<Gate::State> gate_states_;  // last reported
   Stepper stepper_;
   Exchange exchange_;
-  std::vector<std::int64_t> times_;  // [ns] of each component in this tick
+  std::vector<Component*> in_slack_;  // those that have work for it
+  std::vector<std::int64_t> times_;   // [ns] of each component in this tick
   ParameterRamps ramps_;
   OverloadMonitor overload_;
   Heartbeat heartbeat_;

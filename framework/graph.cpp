@@ -140,14 +140,25 @@ std::optional<NodeId> Graph::add(std::string_view type_name, std::string_view na
                                      suggestion(type_name, registry_.names())));
     return std::nullopt;
   }
-  auto full = free_name(type_name, name, where, scope);
+  return add_of_type(*type, name, where, scope);
+}
+
+std::optional<NodeId> Graph::add(std::unique_ptr<ComponentType> type, std::string_view name,
+                                 const Where& where, std::string_view scope) {
+  own_types_.push_back(std::move(type));
+  return add_of_type(*own_types_.back(), name, where, scope);
+}
+
+std::optional<NodeId> Graph::add_of_type(const ComponentType& type, std::string_view name,
+                                         const Where& where, std::string_view scope) {
+  auto full = free_name(type.name, name, where, scope);
   if (!full) return std::nullopt;
-  Node node{.name = std::move(*full), .type = type, .where = where, .thread = current_thread_};
-  if (type->make) {
-    node.component = type->make();
+  Node node{.name = std::move(*full), .type = &type, .where = where, .thread = current_thread_};
+  if (type.make) {
+    node.component = type.make();
     node.component->set_name(node.name);
   } else {
-    node.group = type->make_group();
+    node.group = type.make_group();
   }
   by_name_.emplace(node.name, nodes_.size());
   nodes_.push_back(std::move(node));

@@ -118,6 +118,9 @@ class Graph {
   /// @param name "" takes the type's in snake_case
   std::optional<NodeId> add(std::string_view type, std::string_view name, const Where& where,
                             std::string_view scope = "");
+  /// Adds a component of a type that no registry has: one that a file defines.
+  std::optional<NodeId> add(std::unique_ptr<ComponentType> type, std::string_view name,
+                            const Where& where, std::string_view scope);
   /// Adds a group whose parameters somebody else declared.
   std::optional<NodeId> add_group(std::unique_ptr<ParameterSet> parameters, std::string_view type,
                                   std::string_view name, const Where& where,
@@ -163,10 +166,13 @@ class Graph {
   friend class ThreadScope;
   std::optional<std::string> free_name(std::string_view type, std::string_view name,
                                        const Where& where, std::string_view scope);
+  std::optional<NodeId> add_of_type(const ComponentType& type, std::string_view name,
+                                    const Where& where, std::string_view scope);
   void apply_overrides(NodeId id);
   void give_back(const std::string& name);
 
   const Registry& registry_;
+  std::vector<std::unique_ptr<ComponentType>> own_types_;
   std::vector<Node> nodes_;
   std::map<std::string, NodeId, std::less<>> by_name_;
   std::vector<Wire> wires_;

@@ -105,7 +105,9 @@ std::string FaultRecord::text() const {
 }
 
 RunResult run(const Graph& graph, const RunOptions& options) {
-  const std::unique_ptr<WiredGraph> wired = wire(graph, options.wiring);
+  WiringOptions wiring = options.wiring;
+  wiring.virtual_time = options.clock == ClockKind::simulated;
+  const std::unique_ptr<WiredGraph> wired = wire(graph, wiring);
   const std::vector<RowLayout> layouts = layouts_of(*wired);
   std::vector<std::vector<Command>> commands = schedule_edits(options.edits, graph, *wired);
 

@@ -110,6 +110,7 @@ const SessionRun& Session::run(RunOptions wanted) {
   if (!wanted.duration && options_.clock == ClockKind::simulated)
     wanted.duration = options_.default_duration;
   if (options_.seed) wanted.wiring.seed = *options_.seed;
+  wanted.wiring.virtual_time = options_.clock == ClockKind::simulated;
   wanted.stop = options_.stop;
   wanted.operator_input = options_.operator_input;
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);

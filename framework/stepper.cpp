@@ -40,7 +40,8 @@ Stepper::Stepper(const RateGroup& group, FaultLatch& faults) : group_(group), fa
     Special special{.next_due = item.phase};
     find_site_force(*item.component, special);
     items_.push_back({.component = item.component,
-                      .plain = item.divider == 1 && item.phase == 0 && special.force == nullptr});
+                      .plain = item.divider == 1 && item.phase == 0 && special.force == nullptr,
+                      .told = item.component->wants_duration()});
     specials_.push_back(special);
   }
 }
@@ -106,6 +107,7 @@ void Stepper::step(const Tick& tick, std::int64_t begin, const StepTimes& times)
     const std::int64_t after = monotonic_ns();
     times.latest[i] = after - before;
     times.histogram[i].add(after - before);
+    if (items_[i].told && times.tell) items_[i].component->take_duration(after - before);
     before = after;
   }
   look_through(tick);

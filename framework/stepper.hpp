@@ -15,6 +15,7 @@ namespace trocar {
 struct StepTimes {
   std::span<std::int64_t> latest;        // [ns] in this tick, 0 where it was not due
   std::span<TimingHistogram> histogram;  // of all ticks
+  bool tell = true;                      // components that want to know; not in virtual time
 };
 
 /// Steps the components of a schedule in their order, tick by tick, and watches over what they
@@ -47,6 +48,7 @@ class Stepper {
   struct Item {  // what every tick reads
     Component* component = nullptr;
     bool plain = true;  // steps in every tick, and nothing of what follows applies
+    bool told = false;  // how long it took
   };
   struct Special {  // the rest of it, for the few that need it
     std::int64_t next_due = 0;

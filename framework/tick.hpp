@@ -16,8 +16,9 @@ struct Tick {
 
 /// What a component may know when it is configured.
 struct Setup {
-  double period = 1e-3;    // [s] between two of its steps
-  std::uint64_t seed = 0;  // its own: differs between components, the same in every run
+  double period = 1e-3;       // [s] between two of its steps
+  std::uint64_t seed = 0;     // its own: differs between components, the same in every run
+  bool virtual_time = false;  // nothing may depend on a clock
 };
 
 }  // namespace trocar

@@ -14,9 +14,10 @@
 namespace trocar {
 
 struct WiringOptions {
-  double rate = 1000.0;    // [Hz] of the threads that say none
-  std::uint64_t seed = 1;  // of everything random
-  Graph::Overrides set{};  // for this run only; win over the script's values
+  double rate = 1000.0;       // [Hz] of the threads that say none
+  std::uint64_t seed = 1;     // of everything random
+  Graph::Overrides set{};     // for this run only; win over the script's values
+  bool virtual_time = false;  // no component may look at a clock
 };
 
 /// A graph whose components exist, are wired, checked, ordered and configured: ready to run once.

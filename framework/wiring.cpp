@@ -269,8 +269,9 @@ void Wiring::configure() {
     const RateGroup& group = group_of(id);
     const double divider = static_cast<double>(group.schedule()[item_index_[id]].divider);
     try {
-      component.configure(
-          {.period = group.period() * divider, .seed = seed_for(options_.seed, component.name())});
+      component.configure({.period = group.period() * divider,
+                           .seed = seed_for(options_.seed, component.name()),
+                           .virtual_time = options_.virtual_time});
     } catch (const std::invalid_argument& error) {
       findings_.add(where_of(id), fmt::format("{}: {}", component.name(), error.what()));
       for (const NodeId next : feeds[id]) unsound[next] = true;

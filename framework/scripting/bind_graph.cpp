@@ -298,6 +298,14 @@ int construct(lua_State* state, const std::string& type, const std::string& spar
     push(state, Placeholder{type});
     return 1;
   }
+  lua_pushvalue(state, table);
+  return apply_entries(state, *id);
+}
+
+int apply_entries(lua_State* state, NodeId node) {
+  Graph& graph = context(state).graph();
+  const NodeId* id = &node;
+  const int table = lua_gettop(state);
   const bool group = graph.node(*id).is_group();
   refuse_odd_keys(state, table, graph.node(*id).name);
   const std::vector<Key> keys = ordered_keys(state, table);

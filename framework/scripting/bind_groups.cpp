@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "framework/scripting/declared_parameters.hpp"
 #include "framework/scripting/script_context.hpp"
 #include "framework/text.hpp"
 
@@ -10,78 +11,20 @@ namespace trocar::lua {
 namespace {
 
 /// The parameters that a script declares for its group.
-class DeclaredParameters final : public ParameterSet {
+class GroupParameters final : public ParameterSet {
  public:
-  template <typename T>
-  void declare(const std::string& name, const ParameterOptions& options) {
-    own_.push_back(std::make_unique<Parameter<T>>(this, name, options));
-  }
-
- private:
-  std::vector<std::unique_ptr<ParameterBase>> own_;
+  DeclaredParameters declared;
 };
 
-bool is_quantity(const std::string& text) {
-  try {
-    parse_quantity(text);
-    return true;
-  } catch (const UnitError&) {
-    return false;
-  }
-}
-
-std::string string_field(lua_State* state, const char* name) {
-  lua_getfield(state, -1, name);
-  const std::string text =
-      lua_isnil(state, -1) ? "" : std::string(luaL_tolstring(state, -1, nullptr));
-  lua_settop(state, lua_gettop(state) - (lua_isnil(state, -1) ? 1 : 2));
-  return text;
-}
-
-/// One entry `name = { default, range = {min, max}, doc = "…" }`, at the top of the stack. The type
-/// is the default's.
-void declare(lua_State* state, DeclaredParameters& parameters, const std::string& name) {
-  const std::string doc = string_field(state, "doc");
-  std::string min, max;
-  lua_getfield(state, -1, "range");
-  if (const Literal range = to_literal(state, -1); const auto* list = range.as<Literal::List>()) {
-    const auto text = [&](std::size_t i) {
-      if (i >= list->size()) return std::string();
-      const auto* written = (*list)[i].as<std::string>();
-      return written != nullptr ? *written : (*list)[i].text();
-    };
-    min = text(0);
-    max = text(1);
-  }
-  lua_pop(state, 1);
-  lua_rawgeti(state, -1, 1);
-  const Literal initial = to_literal(state, -1);
-  lua_pop(state, 1);
-  const auto* text = initial.as<std::string>();
-  std::string written = text != nullptr ? *text : initial.text();
-  if (initial.as<double>() != nullptr || (text != nullptr && is_quantity(written))) {
-    const std::string unit = si_symbol(parse_quantity(written).unit.dimension);
-    parameters.declare<double>(
-        name, {.unit = unit, .initial = written, .min = min, .max = max, .doc = doc, .live = true});
-  } else if (initial.as<bool>() != nullptr) {
-    parameters.declare<bool>(name, {.initial = written, .doc = doc});
-  } else if (text != nullptr) {
-    parameters.declare<std::string>(name, {.initial = written, .doc = doc});
-  } else {
-    parameters.declare<Literal>(name, {.doc = doc});
-    if (initial.as<std::monostate>() == nullptr) parameters.parameters().back()->set(initial);
-  }
-}
-
-std::unique_ptr<DeclaredParameters> declare_all(lua_State* state, int definition) {
-  auto parameters = std::make_unique<DeclaredParameters>();
+std::unique_ptr<GroupParameters> declare_all(lua_State* state, int definition) {
+  auto parameters = std::make_unique<GroupParameters>();
   lua_getfield(state, definition, "parameters");
   if (lua_istable(state, -1)) {
     const int table = lua_gettop(state);
     for (const Key& key : ordered_keys(state, table)) {
       push_value(state, table, key);
       if (lua_istable(state, -1) && is_name(key.text))
-        declare(state, *parameters, key.text);
+        parameters->declared.declare(*parameters, read_declared_parameter(state, key.text));
       else
         context(state).graph().finding(
             where(state), fmt::format("group parameter \"{}\": needs {{ default, range = {{…}} }}",

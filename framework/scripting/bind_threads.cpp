@@ -123,7 +123,7 @@ int construct_in_thread(lua_State* state) {
         state, type,
         fmt::format("{} takes one table, e.g. {} {{ name = \"a_name\" }}", type, type));
   lua_settop(state, 1);
-  return construct(state, type);
+  return is_law(type) ? construct_law(state, type) : construct(state, type);
 }
 
 int thread_index(lua_State* state) {
@@ -131,7 +131,7 @@ int thread_index(lua_State* state) {
   const std::string name = luaL_checkstring(state, 2);
   const Graph& graph = context(state).graph();
   name_thread(state, thread);
-  if (graph.registry().find(name) != nullptr) {
+  if (graph.registry().find(name) != nullptr || is_law(name)) {
     lua_pushstring(state, name.c_str());
     lua_pushinteger(state, static_cast<lua_Integer>(thread));
     lua_pushcclosure(state, guarded<construct_in_thread>, 2);

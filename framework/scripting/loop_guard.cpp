@@ -10,6 +10,8 @@
 namespace trocar::lua {
 namespace {
 
+constexpr std::size_t text_header = 32;  // [bytes] that Lua adds to a text, at most
+
 /// Doubling a block of the largest size, twice, still fits.
 std::size_t reserve(const LoopLimits& limits) {
   return limits.memory / 4;
@@ -35,9 +37,9 @@ void LoopTrace::capture(lua_State* state) RT_SAFE {
 LoopGuard::LoopGuard(const LoopLimits& limits)
     : limits_(limits), pool_(limits.memory + reserve(limits)) {}
 
-void LoopGuard::begin(std::int64_t instructions, bool step, std::int64_t begin_ns) RT_SAFE {
+void LoopGuard::begin(std::int64_t instructions, bool step) RT_SAFE {
   left_ = instructions;
-  last_ns_ = begin_ns + limits_.deadline_ns;
+  last_ns_ = 0;
   stepping_ = step;
   allocations_ = allocated_ = 0;
   breach_ = LoopBreach::none;
@@ -58,6 +60,17 @@ void LoopGuard::charge(std::int64_t instructions) RT_SAFE {
   if (left_ < 0) doom(LoopBreach::instructions);
 }
 
+bool LoopGuard::is_late() RT_SAFE {
+  const std::int64_t now = monotonic_ns();
+  if (last_ns_ == 0) last_ns_ = now + limits_.deadline_ns;
+  return now > last_ns_;
+}
+
+/// Behind the last instruction.
+void LoopGuard::look_once_more() RT_SAFE {
+  if (breach_ == LoopBreach::none && is_late()) breach_ = LoopBreach::time;
+}
+
 void LoopGuard::hook(lua_State* state, lua_Debug*) {
   void* guard = nullptr;
   lua_getallocf(state, &guard);
@@ -70,7 +83,7 @@ void LoopGuard::look(lua_State* state) {
     left_ -= interval;
     if (left_ <= 0)
       doom(LoopBreach::instructions);
-    else if (stepping_ && limits_.deadline_ns > 0 && monotonic_ns() > last_ns_)
+    else if (stepping_ && limits_.deadline_ns > 0 && is_late())
       doom(LoopBreach::time);
     if (breach_ == LoopBreach::none) return;
   }
@@ -85,7 +98,8 @@ void LoopGuard::account(const void* block, std::size_t old_size, std::size_t siz
   if (block == nullptr) {
     ++allocations_;
     allocated_ += static_cast<std::int64_t>(size);
-    if (armed_ && old_size == LUA_TSTRING && size > longest_text) doom(LoopBreach::text);
+    if (armed_ && old_size == LUA_TSTRING && size > longest_text + text_header)
+      doom(LoopBreach::text);
   } else if (size > old_size) {
     ++allocations_;
     allocated_ += static_cast<std::int64_t>(size - old_size);

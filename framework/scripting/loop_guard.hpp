@@ -20,7 +20,8 @@ struct LoopLimits {
   std::int64_t load_instructions = 1'000'000;  // of running the file, before the first tick
   std::int64_t deadline_ns = 0;                // of one step; 0: time is not looked at
   bool strict = false;                         // a step that allocates is an error
-  bool guarded = true;                         // false: to measure what the guard costs
+  bool whole_cycles = false;  // the collector does a cycle at once: alike in every run
+  bool guarded = true;        // false: to measure what the guard costs
 };
 
 /// Why a script was ended by force.
@@ -39,8 +40,10 @@ struct LoopTrace {
 };
 
 /// Watches over a script while it runs: counts its instructions, looks at the clock, and hands out
-/// its memory. A breach is latched and raised as an error at the very next instruction, and again
-/// at each one after, so that no pcall lets the script go on.
+/// its memory. It looks every 100 instructions, the clock for the first time then: so an ordinary
+/// law pays for no clock, and is not blamed for what the machine does in between. A breach is
+/// latched and raised as an error at the very next instruction, and again at each one after, so
+/// that no pcall lets the script go on.
 ///
 /// Lua's own answer to a lack of memory is a collection of all of it, in the middle of the step,
 /// and an error without a place. So there is a reserve: what goes beyond a limit is still served
@@ -57,10 +60,12 @@ class LoopGuard {
   void watch(lua_State* state) { state_ = state; }
 
   /// From now until end() the file is run, or a step.
-  void begin_load() RT_SAFE { begin(limits_.load_instructions, false, 0); }
-  /// @param begin_ns reading of the clock; not used where there is no deadline
-  void begin_step(std::int64_t begin_ns) RT_SAFE { begin(limits_.instructions, true, begin_ns); }
-  void end() RT_SAFE { armed_ = false; }
+  void begin_load() RT_SAFE { begin(limits_.load_instructions, false); }
+  void begin_step() RT_SAFE { begin(limits_.instructions, true); }
+  void end() RT_SAFE {
+    if (last_ns_ != 0) look_once_more();
+    armed_ = false;
+  }
   /// A function in C is about to do as much as this many instructions.
   void charge(std::int64_t instructions) RT_SAFE;
 
@@ -69,6 +74,10 @@ class LoopGuard {
   bool raised() const RT_SAFE { return raised_; }
   const LoopTrace& trace() const RT_SAFE { return trace_; }
   const LoopLimits& limits() const RT_SAFE { return limits_; }
+  /// That the file or the step, whichever ran last, might take.
+  std::int64_t budget() const RT_SAFE {
+    return stepping_ ? limits_.instructions : limits_.load_instructions;
+  }
   std::size_t largest_block() const RT_SAFE { return limits_.memory / 16; }
 
   std::size_t memory() const RT_SAFE { return pool_.used(); }        // [bytes]
@@ -76,17 +85,19 @@ class LoopGuard {
   std::int64_t allocated() const RT_SAFE { return allocated_; }      // [bytes] since begin()
 
  private:
-  void begin(std::int64_t instructions, bool step, std::int64_t begin_ns) RT_SAFE;
+  void begin(std::int64_t instructions, bool step) RT_SAFE;
   static void hook(lua_State* state, lua_Debug* where);
   void look(lua_State* state);
+  bool is_late() RT_SAFE;
+  void look_once_more() RT_SAFE;
   void account(const void* block, std::size_t old_size, std::size_t size) RT_SAFE;
   void doom(LoopBreach breach) RT_SAFE;
 
   LoopLimits limits_;
   LoopPool pool_;
   lua_State* state_ = nullptr;
-  std::int64_t left_ = 0;  // [instructions]
-  std::int64_t last_ns_ = 0;
+  std::int64_t left_ = 0;     // [instructions]
+  std::int64_t last_ns_ = 0;  // when it has to be over; 0 before the first look
   std::int64_t allocations_ = 0;
   std::int64_t allocated_ = 0;
   bool armed_ = false;

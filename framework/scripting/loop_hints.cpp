@@ -14,6 +14,9 @@ struct Hint {
 constexpr Hint hints[] = {
     {"arithmetic on a string", "",
      "; inside the loop numbers are SI: declare a parameter with a unit, and use it"},
+    {"a 'string'", "",
+     "; inside the loop numbers are SI: declare a parameter with a unit, and use it"},
+    {"unexpected symbol near '}'", "", "; an end may be missing before it"},
     {"arithmetic on a nil", "",
      "; give it a value first, and let every path of a function return one"},
     {"arithmetic on a table", "", "; vec(x, y, z) makes a vector that +, -, * and / take"},
@@ -24,7 +27,6 @@ constexpr Hint hints[] = {
     {"compare", "string", "; inside the loop numbers are SI: compare with a parameter"},
     {"compare", "table", "; compare fields, or v:norm()"},
     {"compare", "", "; compare numbers with numbers"},
-    {"index a number", "local 'v'", "; a method is called with a colon: out.force:set(0, 0, 1)"},
     {"index a number", "", "; it is a number: it has no fields"},
     {"index a nil", "", "; give it a value first: a table of state = { … }, or a local"},
     {"call a nil", "method", "; a vector has set, add, sub, scale, add_scaled, dot, cross, norm"},

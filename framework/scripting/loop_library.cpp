@@ -91,7 +91,7 @@ local function pairs(t)
       refuse("pairs: keys are 1 to n and names: others have no order")
     end
   end
-  table.sort(names)
+  raw.sort_names(names)
   for i = 1, #names do keys[#keys + 1] = names[i] end
   local i = 0
   return function()
@@ -138,8 +138,7 @@ local string_cures = {
 local table_cures = { move = "use a loop", pack = "write { … }" }
 local math_cures = {
   randomseed = "the run's seed is math.random's: trocar run --seed",
-  pow = "use x ^ y", atan2 = "use math.atan(y, x)", ldexp = "use x * 2 ^ n", cosh = "use math.exp",
-  sinh = "use math.exp", tanh = "use math.exp", log10 = "use math.log(x, 10)",
+  atan2 = "use math.atan(y, x)",
 }
 for owner, guarded in next, { [""] = { world, cures }, ["string"] = { string, string_cures },
                              ["table"] = { table, table_cures }, ["math"] = { math, math_cures } } do

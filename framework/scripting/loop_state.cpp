@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 #include <stdexcept>
-#include <utility>
 
+#include "framework/scripting/bounded_text.hpp"
 #include "framework/scripting/loop_hints.hpp"
 #include "framework/scripting/loop_world.hpp"
 
@@ -21,14 +20,6 @@ constexpr int calls_within_calls = 16;
 constexpr int collector_speed = 40;              // [%] of Lua's usual
 constexpr int collector_part = 10;               // 2^10 bytes
 constexpr std::int64_t bytes_for_a_part = 2048;  // one more for each so many that a step made
-
-/// Formats without memory of its own: what does not fit is cut off.
-template <typename... Values>
-std::string_view print(std::span<char> to, fmt::format_string<Values...> format,
-                       Values&&... values) RT_SAFE {
-  const auto end = fmt::format_to_n(to.data(), to.size(), format, std::forward<Values>(values)...);
-  return {to.data(), std::min(end.size, to.size())};
-}
 
 /// Lua calls it where an error is raised: its place is known there, and only there.
 int note_place(lua_State* state) {
@@ -97,8 +88,9 @@ void LoopState::settle() {
   lua_pcall(lua(), 1, 0, handler);
 }
 
-bool LoopState::call(int arguments, int results, std::int64_t begin_ns) RT_SAFE {
-  guard_.begin_step(begin_ns);
+bool LoopState::call(int arguments, int results) RT_SAFE {
+  trace_.count = 0;
+  guard_.begin_step();
   return finish(lua_pcall(lua(), arguments, results, handler));
 }
 
@@ -141,7 +133,7 @@ std::string_view LoopState::breach_text(char* buffer, std::size_t size) const RT
       return print(to,
                    "took more than its {} instructions: shorten the loop, or raise "
                    "\"instructions\"",
-                   limits.instructions);
+                   guard_.budget());
     case LoopBreach::time:
       return print(to, "took longer than its {} us: shorten it, or raise \"deadline\"",
                    limits.deadline_ns / 1000);
@@ -169,7 +161,7 @@ std::string_view LoopState::breach_text(char* buffer, std::size_t size) const RT
 }
 
 void LoopState::set_error(int line, std::string_view message) RT_SAFE {
-  if (line == 0 && trace_.count > 0) line = trace_.frames[0].line;
+  if (line == 0) line = trace_.count > 0 ? trace_.frames[0].line : spare_line_;
   std::size_t size = 0;
   const auto room = [&] { return std::span(error_).first(error_.size() - 1).subspan(size); };
   size += print(room(), "{}", file_).size();
@@ -184,6 +176,11 @@ void LoopState::collect() RT_SAFE {
   uncollected_ += static_cast<std::size_t>(guard_.allocated());
   if (!collecting_ && uncollected_ < guard_.limits().memory / 8) return;
   if (!collecting_) uncollected_ = 0;
+  // Where a part ends depends on the order of hashed names, which Lua makes different in each run.
+  if (guard_.limits().whole_cycles) {
+    lua_gc(lua(), LUA_GCCOLLECT);
+    return;
+  }
   collecting_ = true;
   for (std::int64_t done = 0; collecting_ && done <= guard_.allocated(); done += bytes_for_a_part)
     collecting_ = lua_gc(lua(), LUA_GCSTEP, 0) == 0;

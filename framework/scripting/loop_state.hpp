@@ -31,7 +31,7 @@ class LoopState {
   void settle();
   /// Calls the function below its arguments as a step, protected and watched.
   /// @return false where it failed: error() says why, and the stack is as without the call
-  bool call(int arguments, int results, std::int64_t begin_ns) RT_SAFE;
+  bool call(int arguments, int results) RT_SAFE;
   /// A part of the collector's work, for the slack after a step. How much it does depends on what
   /// steps allocated alone, and a script that allocates nothing costs nothing.
   void collect() RT_SAFE;
@@ -40,6 +40,8 @@ class LoopState {
   const char* error() const RT_SAFE { return error_.data(); }
   /// Puts a message of the same form there. @param line 0 where there is none
   void set_error(int line, std::string_view message) RT_SAFE;
+  /// For errors of a step that are at no line of the file.
+  void set_spare_line(int line) { spare_line_ = line; }
 
  private:
   struct Closer {
@@ -53,6 +55,7 @@ class LoopState {
   std::string file_;
   LoopTrace trace_;  // of the last error that was the script's own
   std::array<char, 1024> error_{};
+  int spare_line_ = 0;
   std::size_t uncollected_ = 0;  // [bytes] allocated since the last cycle of the collector began
   bool collecting_ = false;
   std::unique_ptr<lua_State, Closer> state_;

@@ -23,6 +23,8 @@ function in_place.set(v, x, y, z)
     v.x = x; v.y = y; v.z = z
   elseif x and not y then
     v.x, v.y, v.z = x.x, x.y, x.z
+  elseif type(v) ~= "table" then
+    refuse("a method is called with a colon: out.force:set(0, 0, 1)")
   else
     refuse("set takes three numbers or a vector, e.g. out.force:set(0, 0, -1)")
   end

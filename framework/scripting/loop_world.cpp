@@ -2,6 +2,7 @@
 #include "framework/scripting/loop_world.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "framework/scripting/loop_guard.hpp"
@@ -69,6 +70,30 @@ int format(lua_State* state) {
   lua_insert(state, 1);
   lua_call(state, lua_gettop(state) - 1, 1);
   return 1;
+}
+
+/// sort_names(list): in place and alphabetically, paid for by their number alone, since the order
+/// in which they come differs in every run.
+int sort_names(lua_State* state) {
+  constexpr lua_Unsigned most = 128;
+  const lua_Unsigned count = lua_rawlen(state, 1);
+  if (count > most) return luaL_error(state, "pairs: at most %d names", static_cast<int>(most));
+  guard_of(state).charge(10 * static_cast<std::int64_t>(count));
+  luaL_checkstack(state, static_cast<int>(count) + 2, "pairs");
+  std::array<int, most> order{};
+  const auto end = order.begin() + static_cast<std::ptrdiff_t>(count);
+  for (auto at = order.begin(); at != end; ++at) {
+    lua_rawgeti(state, 1, 1 + (at - order.begin()));
+    *at = lua_gettop(state);
+  }
+  std::sort(order.begin(), end, [state](int a, int b) {
+    return std::strcmp(lua_tostring(state, a), lua_tostring(state, b)) < 0;
+  });
+  for (auto at = order.begin(); at != end; ++at) {
+    lua_pushvalue(state, *at);
+    lua_rawseti(state, 1, 1 + (at - order.begin()));
+  }
+  return 0;
 }
 
 int has_text(lua_State* state) {
@@ -170,11 +195,9 @@ void push_raw(lua_State* state) {
   open_library(state, "string", luaopen_string);
   open_library(state, "table", luaopen_table);
   open_library(state, "math", luaopen_math);
-  const luaL_Reg own[] = {{"refuse", refuse},
-                          {"show", show},
-                          {"has_text", has_text},
-                          {"no_such", make_no_such},
-                          {"no_assign", make_no_assign},
+  const luaL_Reg own[] = {{"refuse", refuse},        {"show", show},
+                          {"has_text", has_text},    {"sort_names", sort_names},
+                          {"no_such", make_no_such}, {"no_assign", make_no_assign},
                           {nullptr, nullptr}};
   luaL_setfuncs(state, own, 0);
   lua_getfield(state, -1, "string");
@@ -213,7 +236,7 @@ int open_loop_world(lua_State* state) {
 
   lua_pushvalue(state, raw);
   run_chunk(state, loop_vectors_text(), 1);
-  for (const char* name : {"setmetatable", "no_such", "no_assign"}) {
+  for (const char* name : {"setmetatable", "next", "no_such", "no_assign"}) {
     lua_getfield(state, raw, name);
     lua_setfield(state, -2, name);
   }

@@ -139,6 +139,7 @@ void open_signals(lua_State* state);     // outputs, inputs, sites, parameters: 
 void open_arithmetic(lua_State* state);  // + - * on outputs: after open_graph
 void open_threads(lua_State* state);     // threads, latest, queue: after open_graph
 void open_groups(lua_State* state);
+void open_laws(lua_State* state);  // what files in Lua define
 void open_runs(lua_State* state);
 void open_results(lua_State* state);  // of runs: of open_runs
 void open_least_squares(lua_State* state);
@@ -160,6 +161,12 @@ std::optional<std::string> read_file(const std::filesystem::path& path);
 /// Calls constructor `type` with the table at the top of the stack; pushes the component.
 /// @param spare_name where the table gives none; "" is the type's
 int construct(lua_State* state, const std::string& type, const std::string& spare_name = "");
+/// Gives a new component or group what the table at the top says; pushes the component.
+int apply_entries(lua_State* state, NodeId node);
+/// Whether components of this type are made by a file in Lua.
+bool is_law(const std::string& type);
+/// Calls the constructor of such a type with the table at 1; pushes the component.
+int construct_law(lua_State* state, const std::string& type);
 /// The name that the table at index `table` gives, or `spare`.
 std::string given_name(lua_State* state, int table, const std::string& spare);
 /// A finding for each entry whose key is no text.

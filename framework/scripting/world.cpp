@@ -107,6 +107,7 @@ int open_world(lua_State* state) {
   open_arithmetic(state);
   open_threads(state);
   open_groups(state);
+  open_laws(state);
   open_runs(state);
   open_least_squares(state);
   open_rigs(state);

@@ -21,7 +21,7 @@ QString step(const QByteArray& body, const LoopLimits& limits = {}) {
   LoopState state(limits, "law.lua", 1);
   if (!state.run_file("return function() " + body.toStdString() + "\nend", 1))
     return QString("does not load: ") + state.error();
-  return state.call(0, 0, 0) ? "fine" : QString(state.error());
+  return state.call(0, 0) ? "fine" : QString(state.error());
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ class TestLoopState : public QObject {
     std::size_t most = 0;
     for (int tick = 0; tick < 20'000; ++tick) {
       lua_pushvalue(state.lua(), -1);
-      QVERIFY2(state.call(0, 0, 0), state.error());
+      QVERIFY2(state.call(0, 0), state.error());
       QVERIFY(state.guard().allocations() >= 6);  // and Lua's own after a cycle
       state.collect();
       most = std::max(most, state.guard().memory());

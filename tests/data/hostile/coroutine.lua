@@ -1,0 +1,7 @@
+-- expect: coroutine is not there
+return trocar.fixture {
+  state = { list = {}, text = "x", n = 0 },
+  step = function(p, at, out, state)
+    while true do coroutine.wrap(function() while true do state.n = state.n + 1 end end)() end
+  end,
+}

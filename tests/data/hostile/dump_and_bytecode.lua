@@ -1,0 +1,7 @@
+-- expect: string.dump is not there
+return trocar.fixture {
+  state = { list = {}, text = "x", n = 0 },
+  step = function(p, at, out, state)
+    state.text = string.dump(function() end)
+  end,
+}

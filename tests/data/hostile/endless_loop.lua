@@ -1,0 +1,7 @@
+-- expect: instructions
+return trocar.fixture {
+  state = { list = {}, text = "x", n = 0 },
+  step = function(p, at, out, state)
+    while true do state.n = state.n + 1 end
+  end,
+}

@@ -1,0 +1,7 @@
+-- expect: xpcall is not there
+return trocar.fixture {
+  state = { list = {}, text = "x", n = 0 },
+  step = function(p, at, out, state)
+    xpcall(error, function() error("again") end)
+  end,
+}

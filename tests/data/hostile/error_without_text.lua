@@ -1,0 +1,7 @@
+-- expect: raised a table
+return trocar.fixture {
+  state = { list = {}, text = "x", n = 0 },
+  step = function(p, at, out, state)
+    error({})
+  end,
+}

@@ -1,0 +1,7 @@
+-- expect: require is not there
+return trocar.fixture {
+  state = { list = {}, text = "x", n = 0 },
+  step = function(p, at, out, state)
+    require("socket")
+  end,
+}
