@@ -66,3 +66,63 @@ describe("04_two_rates", function()
     expect(run["wall.offset_valid"]):always("==", true, { from = "0.05 s" })
   end)
 end)
+
+describe("05_first_fixture", function()
+  it("feels like the wall of C++ beside the groove of Lua", function()
+    local run = trocar.load("05_first_fixture.lua"):run { duration = "3 s" }
+    expect(run.faults):empty()
+    expect(run["wall.force.z"]):settles("-8.15 N", { before = "2 s", within = "1 %" })
+    expect(run["groove.script.allocations"]):always("==", 0)
+  end)
+end)
+
+describe("06_parameters", function()
+  it("is harder to cross when the fluid is thicker", function()
+    local rows = trocar.experiment("06_parameters.lua").published.fluid
+    expect(rows[2].force):is("<", 4 * rows[1].force)
+    expect(rows[2].speed):is("<", rows[1].speed)
+  end)
+
+  it("never pushes more than its limit", function()
+    local run = trocar.experiment("06_parameters.lua").runs[2]
+    expect(run["fluid.force"]:norm()):always("<=", "6.000001 N")
+    expect(run["fluid.force"]):energy("<=", 0, { velocity = run["laparoscope.tool.tip.velocity"] })
+  end)
+end)
+
+describe("07_state", function()
+  it("passes teeth one way only", function()
+    local run = trocar.experiment("07_state.lua").runs[1]
+    expect(run.faults):empty()
+    expect(run["ratchet.teeth"]):settles(27, { within = 0.5 })
+    expect(run["ratchet.force.z"]):always(">=", "0 N")
+  end)
+end)
+
+describe("08_moving_fixture", function()
+  it("takes the tool along", function()
+    local run = trocar.experiment("08_moving_fixture.lua").runs[1]
+    expect(run["laparoscope.tool.tip.position.x"]):crosses("0 mm", { times = 3 })
+    expect(run["moving_groove.distance"]):within("0 mm", "0.6 mm")
+  end)
+end)
+
+describe("10_group", function()
+  it("adds what its layers bear", function()
+    local run = trocar.experiment("10_group.lua").runs[1]
+    local parts = run:last("layers.skin.load") + run:last("layers.bone.load")
+    expect(run:last("layers.sum.value")):near(parts, { within = 1e-9 })
+    expect(run["layers.bone.depth"]):eventually(">", "2 mm")
+  end)
+end)
+
+describe("11_sweep", function()
+  it("finds devices that differ, all softer than asked for", function()
+    local published = trocar.experiment("11_sweep.lua").published
+    expect(#published.device):equals(5)
+    expect(published.all[1].spread):is(">", 0)
+    for _, row in ipairs(published.device) do
+      expect(row.slope):near("5 N/mm", { within = "6 %" })
+    end
+  end)
+end)

@@ -17,7 +17,7 @@ class TestTutorials : public QObject {
     QTest::addColumn<QString>("path");
     const QDir folder(TROCAR_SOURCE_DIR "/scripts/tutorial");
     for (const QString& name :
-         folder.entryList({"*.lua"}).filter(QRegularExpression("(?<!_spec)\\.lua$")))
+         folder.entryList({"*.lua"}).filter(QRegularExpression("(?<!tutorials_spec)\\.lua$")))
       QTest::newRow(qPrintable(name)) << folder.filePath(name);
   }
   void it_prints_what_it_says() {
