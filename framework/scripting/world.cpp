@@ -31,6 +31,9 @@ std::vector<std::string> visible_names(lua_State* state) {
 
 int unknown_global(lua_State* state) {
   const std::string name = luaL_checkstring(state, 2);
+  for (const char* word : {"describe", "it", "before_each", "expect"})
+    if (name == word)
+      return luaL_error(state, "%s is for specs: run them by `trocar test FILE_spec.lua`", word);
   const std::vector<std::string> known = visible_names(state);
   return push_placeholder(state, name,
                           fmt::format("there is no variable \"{}\"{}", name,

@@ -67,6 +67,7 @@ class TestScript : public QObject {
     row("a name is letters, digits and underscores",
         "trocar.Constant { name = \"no name\", value = 2 }", {"1: name = \"no name\": needs"});
     row("a name is a text", "trocar.Constant { name = 5, value = 2 }", {"1: name = 5: needs a"});
+    row("a spec", "describe(\"wall\", function() end)", {"1: describe is for specs: run them by"});
     row("an unknown type comes with the nearest", "trocar.Wal {}",
         {"1: there is no trocar.Wal, did you mean \"Wall\"?"});
     row("an unknown key comes with the nearest",
