@@ -15,13 +15,13 @@ set_target_properties(trocar_framework trocar_components PROPERTIES INSTALL_RPAT
 install(TARGETS trocar RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS trocar_framework trocar_components EXPORT TrocarTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-# The two headers that need Lua's are of no use outside of the binding.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework ${PROJECT_SOURCE_DIR}/components
   DESTINATION ${trocar_include_dir} FILES_MATCHING PATTERN "*.hpp"
   PATTERN framework/cmake EXCLUDE
-  PATTERN framework/scripting/lua_value.hpp EXCLUDE
-  PATTERN framework/scripting/run_columns.hpp EXCLUDE
-  PATTERN framework/scripting/script_context.hpp EXCLUDE)
+  PATTERN framework/scripting EXCLUDE)
+# The others need Lua's, and are of no use outside of the binding.
+install(FILES framework/scripting/script.hpp framework/scripting/spec.hpp
+  DESTINATION ${trocar_include_dir}/framework/scripting)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/trocar PATTERN scripts/dev EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${trocar_doc_dir})

@@ -24,9 +24,12 @@ cd "$folder/root/usr" || exit 1
 expect "a tutorial runs from it" 0 "no faults" bin/trocar run share/trocar/scripts/tutorial/01_feel_a_wall.lua \
   --for 2s --clock simulated
 
-# Each library that the loader takes from elsewhere belongs to a package that Depends names.
+# Each library that its files ask for belongs to a package that Depends names; what those libraries
+# ask for in turn is the business of their packages.
 depends=$(dpkg-deb -f "$deb" Depends)
-for library in $(ldd bin/trocar "$libdir"/libtrocar*.so."$version" | awk '/=> \// && !/libtrocar/ { print $3 }' | sort -u); do
+files=(bin/trocar "$libdir"/libtrocar*.so."$version")
+asked=$(objdump -p "${files[@]}" | awk '/NEEDED/ && !/libtrocar/ { print $2 }' | sort -u)
+for library in $(ldd "${files[@]}" | awk -v asked="$asked" 'index(asked, $1) && /=> \// { print $3 }' | sort -u); do
   # dpkg knows a file by the name that it was packed under, with /usr or without.
   package=$(dpkg -S "$library" "/usr$library" 2>/dev/null | sed -n '1s/:.*//p')
   expect "${library##*/} is in Depends as ${package:-?}" 0 "${package:-?} (" echo "$depends"
