@@ -34,7 +34,7 @@ int eventually_method(lua_State* state) {
   Judged judged = judged_signal(state, "eventually", 4);
   const Comparison comparison = comparison_at(state, 2, "eventually");
   const double bound = quantity_at(state, 3, judged, "eventually");
-  const double before = time_option(state, 4, "before", INFINITY);
+  const double before = time_option(state, 4, "before", endless);
   const SignalVerdict verdict = eventually(judged.values, comparison, bound);
   if (verdict.holds && judged.time[verdict.row] <= before) return 0;
   const std::string when = std::isfinite(before) ? fmt::format(" before {:g} s", before) : "";
@@ -74,7 +74,7 @@ int settles_method(lua_State* state) {
   double farthest = 0.0;
   for (const double value : judged.values) farthest = std::max(farthest, std::abs(value - target));
   const double band = band_option(state, 3, judged, target).value_or(settling_share * farthest);
-  const double before = time_option(state, 3, "before", INFINITY);
+  const double before = time_option(state, 3, "before", endless);
   const SignalVerdict verdict = settles(judged.values, target, band);
   if (verdict.holds && judged.time[verdict.row] <= before) return 0;
   const std::string when = std::isfinite(before) ? fmt::format(" before {:g} s", before) : "";
@@ -132,7 +132,7 @@ int crosses_method(lua_State* state) {
     throw std::invalid_argument(
         fmt::format("crosses: way = \"{}\": needs \"up\" or \"down\"", way));
   const std::optional<std::size_t> times = times_option(state, 3);
-  const double before = time_option(state, 3, "before", INFINITY);
+  const double before = time_option(state, 3, "before", endless);
   std::vector<LevelCrossing> found = crossings(judged.values, level);
   std::erase_if(found, [&](const LevelCrossing& crossing) {
     return judged.time[crossing.row] > before || (!way.empty() && crossing.up != (way == "up"));

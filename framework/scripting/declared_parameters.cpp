@@ -66,7 +66,7 @@ void DeclaredParameters::declare(ParameterSet& owner, const DeclaredParameter& p
   const auto& [name, initial, min, max, doc] = parameter;
   const auto add = [&]<typename T>(const ParameterOptions& options) {
     try {
-      own_.push_back(std::make_unique<Parameter<T>>(&owner, name, options));
+      own_.push_back(std::make_unique<Parameter<T>>(&owner, parameter.name, options));
     } catch (const std::logic_error& error) {
       throw std::invalid_argument(error.what());
     }

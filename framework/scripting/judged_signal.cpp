@@ -66,8 +66,8 @@ double time_option(lua_State* state, int table, const char* name, double fallbac
 }
 
 void cut(lua_State* state, int options, Judged& judged) {
-  const double from = time_option(state, options, "from", -INFINITY);
-  const double to = time_option(state, options, "to", INFINITY);
+  const double from = time_option(state, options, "from", -endless);
+  const double to = time_option(state, options, "to", endless);
   const auto begin = std::lower_bound(judged.time.begin(), judged.time.end(), from - 1e-12);
   const auto end = std::upper_bound(begin, judged.time.end(), to + 1e-12);
   const auto first = begin - judged.time.begin(), last = end - judged.time.begin();

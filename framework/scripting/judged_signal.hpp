@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@
 /// What the methods of expect(signal) share.
 
 namespace trocar::lua {
+
+constexpr double endless = std::numeric_limits<double>::infinity();  // [s]
 
 /// The rows of a signal that a method judges: those between its `from` and `to`.
 struct Judged {

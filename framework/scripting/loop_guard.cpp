@@ -108,19 +108,23 @@ void LoopGuard::account(const void* block, std::size_t old_size, std::size_t siz
   }
   if (!armed_) return;
   if (size > largest_block()) doom(LoopBreach::block);
-  if (pool_.used() + size > limits_.memory) doom(LoopBreach::memory);
+  if (held_ + cost(size) > limits_.memory) doom(LoopBreach::memory);
   if (limits_.strict && stepping_) doom(LoopBreach::allocation);
 }
 
 void* LoopGuard::allocate(void* guard, void* block, std::size_t old_size,
                           std::size_t size) RT_SAFE {
   auto& self = *static_cast<LoopGuard*>(guard);
+  const std::size_t before = block == nullptr ? 0 : cost(old_size);
   if (size == 0) {
     self.pool_.give_back(block);
+    self.held_ -= before;
     return nullptr;
   }
   self.account(block, old_size, size);
-  return block == nullptr ? self.pool_.take(size) : self.pool_.resize(block, size);
+  void* given = block == nullptr ? self.pool_.take(size) : self.pool_.resize(block, size);
+  if (given != nullptr) self.held_ += cost(size) - before;
+  return given;
 }
 
 }  // namespace trocar::lua

@@ -80,7 +80,9 @@ class LoopGuard {
   }
   std::size_t largest_block() const RT_SAFE { return limits_.memory / 16; }
 
-  std::size_t memory() const RT_SAFE { return pool_.used(); }        // [bytes]
+  /// [bytes] that the script holds, each block with its header. What the pool takes beyond that
+  /// depends on where its blocks happen to lie.
+  std::size_t memory() const RT_SAFE { return held_; }
   std::int64_t allocations() const RT_SAFE { return allocations_; }  // since begin()
   std::int64_t allocated() const RT_SAFE { return allocated_; }      // [bytes] since begin()
 
@@ -90,11 +92,13 @@ class LoopGuard {
   void look(lua_State* state);
   bool is_late() RT_SAFE;
   void look_once_more() RT_SAFE;
+  static constexpr std::size_t cost(std::size_t size) RT_SAFE { return (size + 31) / 16 * 16; }
   void account(const void* block, std::size_t old_size, std::size_t size) RT_SAFE;
   void doom(LoopBreach breach) RT_SAFE;
 
   LoopLimits limits_;
   LoopPool pool_;
+  std::size_t held_ = 0;  // [bytes]
   lua_State* state_ = nullptr;
   std::int64_t left_ = 0;     // [instructions]
   std::int64_t last_ns_ = 0;  // when it has to be over; 0 before the first look

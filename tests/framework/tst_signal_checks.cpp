@@ -3,6 +3,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <limits>
 
 using namespace trocar;
 
@@ -22,7 +23,7 @@ class TestSignalChecks : public QObject {
   }
 
   void a_number_that_is_not_finite_never_holds() {
-    const std::vector<double> broken{0.0, nan_, INFINITY};
+    const std::vector<double> broken{0.0, nan_, std::numeric_limits<double>::infinity()};
     QCOMPARE(always(broken, Comparison::less, 1.0).row, 1U);
     QCOMPARE(always(broken, Comparison::greater, -1.0).count, 2U);
     QVERIFY(!eventually(broken, Comparison::greater, 5.0).holds);
