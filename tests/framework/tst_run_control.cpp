@@ -70,7 +70,7 @@ class TestRunControl : public QObject {
     QVERIFY(rig.refusal("meter.gain", "3 mm").contains("needs N"));
     QVERIFY(rig.refusal("meter.fixed", "3 N").contains("cannot be edited while it runs"));
     QVERIFY(!rig.queues[0].try_pop());
-    QVERIFY_EXCEPTION_THROWN(rig.control.text("meter"), BrokenGraph);
+    QVERIFY_THROWS_EXCEPTION(BrokenGraph, rig.control.text("meter"));
   }
 
   void nothing_is_lost_when_the_queue_is_full() {

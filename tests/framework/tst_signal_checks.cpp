@@ -86,7 +86,7 @@ class TestSignalChecks : public QObject {
     const std::vector<double> done = work(force, velocity, time);
     for (std::size_t i = 0; i < time.size(); ++i)
       QVERIFY(std::abs(done[i] - 1.5 * time[i] * time[i]) < 1e-12);
-    QVERIFY_EXCEPTION_THROWN(work(force, {velocity[0]}, time), std::invalid_argument);
+    QVERIFY_THROWS_EXCEPTION(std::invalid_argument, work(force, {velocity[0]}, time));
   }
 
   void comparisons_have_names() {

@@ -168,7 +168,7 @@ class TestLoopState : public QObject {
   }
 
   void too_little_memory_is_refused() {
-    QVERIFY_EXCEPTION_THROWN(LoopState({.memory = 8 * 1024}, "law.lua", 1), std::invalid_argument);
+    QVERIFY_THROWS_EXCEPTION(std::invalid_argument, LoopState({.memory = 8 * 1024}, "law.lua", 1));
   }
 };
 

@@ -71,10 +71,10 @@ class TestSpec : public QObject {
     } catch (const BrokenGraph& broken) {
       QCOMPARE(broken.findings.all().front().where, (Where{path, 2}));
     }
-    QVERIFY_EXCEPTION_THROWN(list_spec(registry_, folder_.filePath("none").toStdString()),
-                             BrokenGraph);
-    QVERIFY_EXCEPTION_THROWN(list_spec(registry_, spec("it(\"no function\")")), BrokenGraph);
-    QVERIFY_EXCEPTION_THROWN(list_spec(registry_, spec("trocar.Wal {}")), BrokenGraph);
+    QVERIFY_THROWS_EXCEPTION(BrokenGraph,
+                             list_spec(registry_, folder_.filePath("none").toStdString()));
+    QVERIFY_THROWS_EXCEPTION(BrokenGraph, list_spec(registry_, spec("it(\"no function\")")));
+    QVERIFY_THROWS_EXCEPTION(BrokenGraph, list_spec(registry_, spec("trocar.Wal {}")));
   }
 
   void tests_leave_nothing_behind() {
@@ -87,11 +87,11 @@ class TestSpec : public QObject {
         "  it(\"b\", function() n = n + 10; count = count + 1; expect(n):equals(111) end)\n"
         "end)\n"
         "it(\"c\", function() expect(n):equals(1); expect(count):equals(0) end)\n");
-    for (const std::size_t test : {0, 1, 2}) {
+    for (std::size_t test = 0; test < 3; ++test) {
       const auto failures = run_spec(registry_, path, test);
       QVERIFY2(failures.empty(), failures.empty() ? "" : failures.front().text().c_str());
     }
-    QVERIFY_EXCEPTION_THROWN(run_spec(registry_, path, 3), std::invalid_argument);
+    QVERIFY_THROWS_EXCEPTION(std::invalid_argument, run_spec(registry_, path, 3));
   }
 
   void it_passes_data() {
