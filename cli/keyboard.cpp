@@ -52,6 +52,8 @@ std::optional<Command::Kind> Keyboard::next() {
       return Command::Kind::acknowledge;
     case 'e':
       return Command::Kind::engage;
+    case 'h':
+      return Command::Kind::home;
     case 'q':
       return Command::Kind::end;
     default:

@@ -10,7 +10,8 @@ namespace trocar::cli {
 /// While one lives, the keys of the terminal are an operator's requests:
 ///
 ///   space  stop the rendering      a  acknowledge a fault
-///   e      engage                  q  end the run
+///   e      engage                  h  home
+///   q      end the run
 ///
 /// Keys are taken without Enter and not shown. Where standard input is no terminal, or belongs to
 /// another job, there are none.
@@ -25,7 +26,7 @@ class Keyboard {
   /// What the next key asks for; nothing when none was pressed. Never waits.
   std::optional<Command::Kind> next();
   static constexpr const char* help =
-      "space stops the rendering, a acknowledges a fault, e engages, q ends the run";
+      "space stops the rendering, a acknowledges a fault, h homes, e engages, q ends the run";
 
  private:
   bool there_ = false;

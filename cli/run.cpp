@@ -122,7 +122,7 @@ void add_run(CLI::App& app, int& status) {
       "Example:\n"
       "  trocar run scripts/tutorial/01_feel_a_wall.lua --for 5s --clock simulated\n"
       "Ctrl-C ends a run in order, with its report. On a terminal, in real time, space stops the\n"
-      "rendering, a acknowledges a fault, e engages, q ends the run.\n"
+      "rendering, a acknowledges a fault, h homes a device, e engages, q ends the run.\n"
       "Spin, latency and overload are about real time alone; docs/realtime.md has the "
       "definitions.\n"
       "Exit status: 0 success, 1 a fault or a loss, 2 wrong usage or a broken script.");

@@ -14,6 +14,7 @@ struct Request {
 
 constexpr Request requests[] = {{"stop", Command::Kind::stop_rendering},
                                 {"acknowledge", Command::Kind::acknowledge},
+                                {"home", Command::Kind::home},
                                 {"engage", Command::Kind::engage},
                                 {"end", Command::Kind::end}};
 

@@ -15,7 +15,7 @@ namespace trocar {
 
 /// What an operator or a script asks of a running graph; taken at the beginning of a tick.
 struct Command {
-  enum class Kind { set_parameter, engage, acknowledge, stop_rendering, end };
+  enum class Kind { set_parameter, engage, acknowledge, home, stop_rendering, end };
   Kind kind = Kind::end;
   std::int64_t not_before = 0;  // tick
   // set_parameter: checked against unit and range by whoever sends it.
@@ -30,7 +30,7 @@ struct OperatorRequest {
   Command::Kind kind = Command::Kind::end;
 };
 
-/// "stop" (the rendering), "acknowledge", "engage", "end" (the run).
+/// "stop" (the rendering), "acknowledge", "home", "engage", "end" (the run).
 std::optional<Command::Kind> request_named(std::string_view name);
 const char* request_name(Command::Kind kind);
 std::vector<std::string> request_names();

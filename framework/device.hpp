@@ -11,6 +11,14 @@ namespace trocar {
 class Gate;
 class Supervisor;
 
+/// What a device that has states of its own is asked to be in. One that has none ignores it.
+enum class DeviceMode {
+  off,     // nothing is sent, and nothing is to be held
+  hold,    // its weight, and damping
+  render,  // and effort, once its own rules to engage are met
+  home     // find its references
+};
+
 /// Effort that passed the gate. Only a Gate can make one, and a device's write() takes nothing
 /// else: that is why no component, script or plugin has a way to the motors round it.
 class GatedEffort {
@@ -18,6 +26,9 @@ class GatedEffort {
   const Joints& effort() const RT_SAFE { return effort_; }  // [N or N m], hold included
   std::int64_t tick() const RT_SAFE { return tick_; }
   std::int64_t deadline_ns() const RT_SAFE { return deadline_ns_; }  // not valid after it
+  DeviceMode mode() const RT_SAFE { return mode_; }
+  /// The operator acknowledges what the device itself latched; counts when it rises.
+  bool acknowledges() const RT_SAFE { return acknowledges_; }
 
   // Written out so that the type is not trivially copyable, or std::bit_cast could make one.
   ~GatedEffort() {}
@@ -33,6 +44,8 @@ class GatedEffort {
   Joints effort_;
   std::int64_t tick_;
   std::int64_t deadline_ns_;
+  DeviceMode mode_ = DeviceMode::off;
+  bool acknowledges_ = false;
 };
 
 /// What a device can bear, for each axis. All must be declared: an unset limit is a finding.
@@ -82,10 +95,13 @@ struct ToolLoads {
 
 /// What a device reports of itself beside its position.
 struct DeviceStatus {
-  bool position_valid = true;  // fresh and plausible
-  const char* why = "";        // it is not
-  bool homed = true;           // until then the gate sends nothing, and the position may step
-  bool dead_man = true;        // pressed, in the device's own report
+  bool position_valid = true;   // fresh and plausible
+  const char* why = "";         // it is not, or not homed
+  bool homed = true;            // until then the gate sends nothing, and the position may step
+  bool dead_man = true;         // pressed, in the device's own report
+  bool renders = true;          // its own rules to engage are met: it lets effort pass
+  const char* fault = nullptr;  // that it latched by itself, until acknowledged: a constant text
+  bool holds = true;            // with that fault it still holds its weight
 };
 
 /// A component with motors. At a tick the executor steps it first (it reports its position), then

@@ -21,6 +21,10 @@ const char* to_string(Event::Kind kind) RT_SAFE {
       return "acknowledged";
     case Event::Kind::acknowledge_refused:
       return "acknowledge refused";
+    case Event::Kind::homing:
+      return "homing";
+    case Event::Kind::homing_refused:
+      return "homing refused";
     case Event::Kind::rows_missed:
       return "rows missed";
   }

@@ -19,6 +19,8 @@ struct Event {
     gate,
     acknowledged,
     acknowledge_refused,
+    homing,
+    homing_refused,
     rows_missed  // by who writes it down: `value` records before this one
   };
   Kind kind = Kind::started;

@@ -23,6 +23,8 @@ const char* to_string(FaultCause cause) RT_SAFE {
       return "overload";
     case FaultCause::loop_stalled:
       return "loop stalled";
+    case FaultCause::device_fault:
+      return "device fault";
     case FaultCause::component_failed:
       return "component failed";
     case FaultCause::signal_lost:

@@ -18,6 +18,7 @@ enum class FaultCause {
   position_lost,
   overload,
   loop_stalled,
+  device_fault,
   component_failed,
   signal_lost,
   queue_full,

@@ -14,14 +14,8 @@ constexpr double effort_ramp_time = 0.5;  // [s]
 constexpr double calm_time = 0.5;         // [s] before engaging
 constexpr double calm_speed = 0.020;      // [m/s] of the handle
 constexpr double sound_time = 0.1;        // [s] without a fault before one can be acknowledged
-constexpr double longest_gap = 0.05;      // [s] between two ticks while rendering goes on
 constexpr double deadline_periods = 3.0;  // after which a command is not valid any more
-
-bool finite(const Joints& joints) RT_SAFE {
-  double sum = 0.0;
-  for (const double value : joints.axis) sum += value * 0.0;
-  return sum == 0.0;
-}
+constexpr double ask_time = 0.025;        // [s] that a device is asked to clear its fault, and not
 
 }  // namespace
 
@@ -38,16 +32,24 @@ Gate::Gate(Device& device, double period, FaultLatch& faults)
   device.has_gate_ = true;
 }
 
+bool Gate::finite(const Joints& joints) RT_SAFE {
+  double sum = 0.0;
+  for (const double value : joints.axis) sum += value * 0.0;
+  return sum == 0.0;
+}
+
 void Gate::pass(const Tick& tick, bool effort_usable, bool hold_usable) RT_SAFE {
   tick_ = tick;
   sound_for_ += period_;
   effort_lost_ = effort_lost_ || !effort_usable;
   hold_lost_ = hold_lost_ || !hold_usable;
   if (!effort_usable || !hold_usable) sound_for_ = 0.0;
-  watch_position();
+  const DeviceStatus status = device_.status();
+  watch_device(status);
+  watch_position(status);
   watch_hold();
   watch_effort();
-  advance_state();
+  advance_state(status);
   Joints sent = command();
   if (!finite(sent)) {
     trip(FaultCause::not_finite, "gated effort", 0.0, 0.0);
@@ -56,14 +58,27 @@ void Gate::pass(const Tick& tick, bool effort_usable, bool hold_usable) RT_SAFE 
     **device_.scale_ = 0.0;
   }
   **device_.effort_sent_ = sent;
-  device_.write(tick, GatedEffort(sent, tick.index,
-                                  tick.time_ns +
-                                      static_cast<std::int64_t>(deadline_periods * period_ * 1e9)));
+  GatedEffort gated(sent, tick.index,
+                    tick.time_ns + static_cast<std::int64_t>(deadline_periods * period_ * 1e9));
+  gated.mode_ = mode();
+  // On and off again: what the device refuses a moment too early it is asked anew.
+  gated.acknowledges_ =
+      clearing_for_ >= 0.0 && (static_cast<int>(clearing_for_ / ask_time) & 1) == 0;
+  device_.write(tick, gated);
+}
+
+DeviceMode Gate::mode() const RT_SAFE {
+  if (home_requested_) return clearing_for_ >= 0.0 ? DeviceMode::off : DeviceMode::home;
+  if (position_lost_ || hold_lost_ || !homed_) return DeviceMode::off;
+  const bool renders = state_ == State::engaging || state_ == State::engaged ||
+                       (state_ == State::holding && engage_requested_);
+  return renders ? DeviceMode::render : DeviceMode::hold;
 }
 
 void Gate::stop_rendering(const Fault& fault) RT_SAFE {
   faults_.raise(fault);
   effort_lost_ = true;
+  home_requested_ = false;
   sound_for_ = 0.0;
 }
 
@@ -75,7 +90,23 @@ bool Gate::acknowledge() RT_SAFE {
   calm_for_ = 0.0;
   engage_requested_ = false;
   state_ = State::cold;
+  clear_device();
   return true;
+}
+
+const char* Gate::request_home() RT_SAFE {
+  const DeviceStatus status = device_.status();
+  if (!status.position_valid) return "no report of the device is valid";
+  if (status.homed) return "it is homed already";
+  home_requested_ = true;
+  clear_device();
+  return nullptr;
+}
+
+void Gate::clear_device() RT_SAFE {
+  if (device_fault_ == nullptr) return;
+  device_fault_ = nullptr;
+  clearing_for_ = 0.0;
 }
 
 void Gate::trip(FaultCause cause, const char* detail, double value, double limit) RT_SAFE {
@@ -89,119 +120,19 @@ void Gate::trip(FaultCause cause, const char* detail, double value, double limit
                  .time_ns = tick_.time_ns});
 }
 
-void Gate::watch_position() RT_SAFE {
-  const Joints& position = **device_.position_;
-  const DeviceStatus status = device_.status();
-  if (!status.position_valid || !finite(position)) {
-    trip(FaultCause::position_lost, status.position_valid ? "not finite" : status.why, 0.0, 0.0);
-    position_lost_ = true;
-    started_ = false;  // the next good report follows upon none
-    return;
-  }
-  homed_ = status.homed;
-  if (!homed_) {
-    if (state_ != State::cold) {
-      trip(FaultCause::position_lost, "not homed", 0.0, 0.0);
-      position_lost_ = true;
-    }
-    hold_ramp_ = 0.0;
-    started_ = false;  // homing steps the position
-    return;
-  }
-  if (!started_) velocity_.reset(position, now(), period_);
-  for (int i = 0; started_ && i < limits_.axes; ++i) {
-    const double jump = std::abs(position[i] - position_before_[i]);
-    const double possible = limits_.jump[i] * periods_since_report();
-    if (jump <= possible) continue;
-    trip(FaultCause::encoder_jump, "between two reports", jump, possible);
-    position_lost_ = true;
-  }
-  const double gap = periods_since_report() * period_;
-  if (started_ && gap > std::max(longest_gap, 2.0 * period_)) {
-    trip(FaultCause::overload, "no tick for so long", gap, longest_gap);
-    effort_lost_ = true;
-  }
-  started_ = true;
-  position_before_ = position;
-  reported_at_ = tick_.index;
-  velocity_.update(position, now());
-  const double handle_speed = device_.handle_speed(velocity());
-  if (!(handle_speed <= limits_.handle_speed)) {
-    trip(FaultCause::speed, "handle", handle_speed, limits_.handle_speed);
-    effort_lost_ = true;
-  }
-  for (int i = 0; i < limits_.axes; ++i) {
-    if (!(std::abs(velocity()[i]) <= limits_.speed[i])) {
-      trip(FaultCause::speed, "axis", std::abs(velocity()[i]), limits_.speed[i]);
-      effort_lost_ = true;
-    }
-    const double beyond =
-        std::max(limits_.lowest[i] - position[i], position[i] - limits_.highest[i]);
-    if (!(beyond <= limits_.margin[i])) {
-      trip(FaultCause::workspace, "axis beyond its range", beyond, limits_.margin[i]);
-      effort_lost_ = true;
-    }
-  }
-}
-
-/// A slot that was skipped leaves the device time to move.
-double Gate::periods_since_report() const RT_SAFE {
-  return static_cast<double>(std::max<std::int64_t>(1, tick_.index - reported_at_));
-}
-
-void Gate::watch_hold() RT_SAFE {
-  const Joints& hold = **device_.hold_;
-  if (!finite(hold)) {
-    trip(FaultCause::not_finite, "hold", 0.0, 0.0);
-    hold_lost_ = true;
-    return;
-  }
-  for (int i = 0; i < limits_.axes; ++i) {
-    if (std::abs(hold[i]) <= limits_.effort[i]) continue;
-    trip(FaultCause::hold_beyond_limit, "hold", std::abs(hold[i]), limits_.effort[i]);
-    hold_lost_ = true;
-  }
-  if (hold_lost_ || position_lost_ || !homed_ || !device_.hold_->connected()) return;
-  const Joints weight = device_.weight();
-  for (int i = 0; i < limits_.axes; ++i) {
-    const double beyond = std::abs(hold[i] - weight[i]);
-    if (beyond <= limits_.hold_tolerance[i]) continue;
-    trip(FaultCause::hold_beyond_limit, "hold is not the device's weight", beyond,
-         limits_.hold_tolerance[i]);
-    hold_lost_ = true;
-  }
-}
-
-void Gate::watch_effort() RT_SAFE {
-  const Joints& effort = **device_.effort_;
-  loads_.count = 0;
-  if (!finite(effort)) {
-    trip(FaultCause::not_finite, "effort", 0.0, 0.0);
-    effort_lost_ = true;
-    return;
-  }
-  device_.tool_loads(effort, loads_);
-  for (int i = 0; i < loads_.count; ++i) {
-    const ToolLoad& load = loads_.load[static_cast<std::size_t>(i)];
-    const double size = load.value.eigen().norm();
-    if (size <= load.trip) continue;
-    trip(FaultCause::handle_wrench, load.what, size, load.trip);
-    effort_lost_ = true;
-  }
-}
-
-void Gate::advance_state() RT_SAFE {
+void Gate::advance_state(const DeviceStatus& status) RT_SAFE {
+  const bool stopped_rendering = device_renders_ && !status.renders;
+  device_renders_ = status.renders;
   if (position_lost_ || hold_lost_ || effort_lost_) {
     state_ = State::tripped;
     engage_requested_ = false;
     return;
   }
-  const DeviceStatus status = device_.status();
   switch (state_) {
     case State::tripped:
       break;
     case State::cold:
-      if (!homed_) break;
+      if (!homed_ || clearing_for_ >= 0.0) break;
       hold_ramp_ = std::min(1.0, hold_ramp_ + period_ / hold_ramp_time);
       if (hold_ramp_ >= 1.0) state_ = State::holding;
       break;
@@ -212,7 +143,8 @@ void Gate::advance_state() RT_SAFE {
         calm = calm && load.value.eigen().norm() < load.calm;
       }
       calm_for_ = calm ? calm_for_ + period_ : 0.0;
-      if (engage_requested_ && calm_for_ >= calm_time) state_ = State::engaging;
+      if (stopped_rendering) engage_requested_ = false;
+      if (engage_requested_ && calm_for_ >= calm_time && status.renders) state_ = State::engaging;
       break;
     }
     case State::engaging:
@@ -220,7 +152,7 @@ void Gate::advance_state() RT_SAFE {
       if (effort_ramp_ >= 1.0) state_ = State::engaged;
       [[fallthrough]];
     case State::engaged:
-      if (status.dead_man) break;
+      if (status.dead_man && status.renders) break;
       state_ = State::holding;
       effort_ramp_ = calm_for_ = 0.0;
       engage_requested_ = false;

@@ -35,12 +35,17 @@ class Gate {
   void pass(const Tick& tick, bool effort_usable, bool hold_usable) RT_SAFE;
 
   /// Asks to render; granted when homed, no fault, dead-man pressed, and for 0.5 s the handle
-  /// slower than 20 mm/s and every load below what the device calls calm.
+  /// slower than 20 mm/s and every load below what the device calls calm; and when a device with
+  /// rules of its own lets effort pass.
   void request_engage() RT_SAFE { engage_requested_ = true; }
   /// Ends rendering until acknowledged; latches `fault`.
   void stop_rendering(const Fault& fault) RT_SAFE;
   /// Leaves the tripped state, to holding and never to engaged, when nothing was wrong for 0.1 s.
+  /// A fault that the device latched is acknowledged there as well; if it stays, it trips again.
   bool acknowledge() RT_SAFE;
+  /// Asks a device that is not homed to find its references, after acknowledging there what it
+  /// latched by itself. @return nullptr, or why not
+  const char* request_home() RT_SAFE;
 
   State state() const RT_SAFE { return state_; }
   const Device& device() const { return device_; }
@@ -48,13 +53,18 @@ class Gate {
   const Joints& velocity() const RT_SAFE { return velocity_.value(); }
 
  private:
+  static bool finite(const Joints& joints) RT_SAFE;
+  void clear_device() RT_SAFE;
   void trip(FaultCause cause, const char* detail, double value, double limit) RT_SAFE;
-  void watch_position() RT_SAFE;
+  void watch_device(const DeviceStatus& status) RT_SAFE;
+  void watch_position(const DeviceStatus& status) RT_SAFE;
+  void watch_motion() RT_SAFE;
   double now() const RT_SAFE { return static_cast<double>(tick_.index) * period_; }  // [s]
   double periods_since_report() const RT_SAFE;
   void watch_hold() RT_SAFE;
   void watch_effort() RT_SAFE;
-  void advance_state() RT_SAFE;
+  void advance_state(const DeviceStatus& status) RT_SAFE;
+  DeviceMode mode() const RT_SAFE;
   double largest_scale() const RT_SAFE;
   double risen_scale(double scale) const RT_SAFE;
   Joints command() RT_SAFE;
@@ -78,6 +88,10 @@ class Gate {
   bool homed_ = false;
   bool started_ = false;
   bool engage_requested_ = false;
+  bool home_requested_ = false;
+  bool device_renders_ = false;         // as of the tick before
+  const char* device_fault_ = nullptr;  // that was tripped for
+  double clearing_for_ = -1.0;          // [s] that the device is asked to clear it; below 0: is not
   bool position_lost_ = false;
   bool hold_lost_ = false;
   bool effort_lost_ = false;

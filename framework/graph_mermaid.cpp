@@ -12,7 +12,7 @@ using Picture = GraphPicture;
 
 /// A text inside of quotes. Mermaid reads #NUMBER; as a character; what it, HTML or Markdown could
 /// take for their own is written so.
-std::string escaped(std::string_view text) {
+std::string in_mermaid(std::string_view text) {
   std::string result;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -30,36 +30,36 @@ std::string escaped(std::string_view text) {
 
 /// A name with a word before it, so that a component called "end" is no keyword. Names have no
 /// hyphens, so that no two become alike.
-std::string id_of(const char* kind, const std::string& name) {
+std::string mermaid_id(const char* kind, const std::string& name) {
   std::string id = std::string(kind) + "-" + name;
   for (char& c : id)
     if (c == '.' || c == ' ') c = '-';
   return id;
 }
 
-std::string id_of(const Picture::Box& box) {
-  return id_of(box.shape == Picture::Shape::gate ? "gate" : "node", box.name);
+std::string mermaid_id(const Picture::Box& box) {
+  return mermaid_id(box.shape == Picture::Shape::gate ? "gate" : "node", box.name);
 }
 
-std::string label_of(const Picture::Box& box) {
-  std::string label = "<b>" + escaped(box.title) + "</b>";
-  if (!box.type.empty()) label += "<br>" + escaped(box.type);
-  for (const std::string& note : box.notes) label += "<br>" + escaped(note);
+std::string mermaid_label(const Picture::Box& box) {
+  std::string label = "<b>" + in_mermaid(box.title) + "</b>";
+  if (!box.type.empty()) label += "<br>" + in_mermaid(box.type);
+  for (const std::string& note : box.notes) label += "<br>" + in_mermaid(note);
   return label;
 }
 
-std::string label_of(const Picture::Arrow& arrow) {
+std::string mermaid_label(const Picture::Arrow& arrow) {
   std::string label;
   for (const Picture::Label& each : arrow.labels) {
     if (!label.empty()) label += "<br>";
-    label += escaped(each.ports);
-    if (!each.type.empty()) label += ": " + escaped(each.type);
+    label += in_mermaid(each.ports);
+    if (!each.type.empty()) label += ": " + in_mermaid(each.type);
   }
   return label;
 }
 
 std::string box_of(const Picture::Box& box) {
-  const std::string id = id_of(box), label = label_of(box);
+  const std::string id = mermaid_id(box), label = mermaid_label(box);
   switch (box.shape) {
     case Picture::Shape::component:
       return fmt::format("{}[\"{}\"]", id, label);
@@ -84,16 +84,17 @@ const char* arrow_of(Picture::Line line) {
 }
 
 /// What lies in a cluster, or, without one, at the top.
-std::string contents(const Picture& picture, std::optional<std::size_t> cluster, int depth) {
+std::string mermaid_lines(const Picture& picture, std::optional<std::size_t> cluster, int depth) {
   const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
   std::string text;
   for (const Picture::Part& part : picture.parts_of(cluster)) {
     if (part.is_cluster) {
       const Picture::Cluster& inner = picture.clusters[part.index];
-      const std::string type = inner.type.empty() ? "" : fmt::format(" ({})", escaped(inner.type));
+      const std::string type =
+          inner.type.empty() ? "" : fmt::format(" ({})", in_mermaid(inner.type));
       text += fmt::format("{0}subgraph {1}[\"{2}{3}\"]\n{4}{0}end\n", indent,
-                          id_of("group", inner.name), escaped(inner.title), type,
-                          contents(picture, part.index, depth + 1));
+                          mermaid_id("group", inner.name), in_mermaid(inner.title), type,
+                          mermaid_lines(picture, part.index, depth + 1));
     } else {
       text += fmt::format("{}{}\n", indent, box_of(picture.boxes[part.index]));
     }
@@ -104,10 +105,11 @@ std::string contents(const Picture& picture, std::optional<std::size_t> cluster,
 }  // namespace
 
 std::string graph_mermaid(const GraphPicture& picture) {
-  std::string text = "flowchart LR\n" + contents(picture, std::nullopt, 1);
+  std::string text = "flowchart LR\n" + mermaid_lines(picture, std::nullopt, 1);
   for (const Picture::Arrow& arrow : picture.arrows)
-    text += fmt::format("  {} {}|\"{}\"| {}\n", id_of(picture.boxes[arrow.from]),
-                        arrow_of(arrow.line), label_of(arrow), id_of(picture.boxes[arrow.to]));
+    text += fmt::format("  {} {}|\"{}\"| {}\n", mermaid_id(picture.boxes[arrow.from]),
+                        arrow_of(arrow.line), mermaid_label(arrow),
+                        mermaid_id(picture.boxes[arrow.to]));
   return text;
 }
 

@@ -61,8 +61,8 @@ Command::Kind request_kind(const Literal& literal) {
   const auto* text = literal.as<std::string>();
   if (const auto kind = text == nullptr ? std::nullopt : request_named(*text)) return *kind;
   throw std::invalid_argument(
-      fmt::format("requests.ask = {}: stop, acknowledge, engage and end are{}", literal.text(),
-                  text == nullptr ? "" : suggestion(*text, request_names())));
+      fmt::format("requests.ask = {}: stop, acknowledge, home, engage and end are{}",
+                  literal.text(), text == nullptr ? "" : suggestion(*text, request_names())));
 }
 
 void read_requests(const Literal& literal, RunOptions& options) {

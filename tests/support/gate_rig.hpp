@@ -38,6 +38,8 @@ class TestDevice final : public Device {
   Joints own_weight{};  // [N]
   Joints written{};
   std::int64_t written_tick = -1, written_deadline = 0;
+  DeviceMode written_mode = DeviceMode::off;
+  bool acknowledged = false;
   int writes = 0;
   std::atomic<int> stalls{0};  // that the supervisor told of, on its own thread
 
@@ -90,6 +92,8 @@ class TestDevice final : public Device {
     written = gated.effort();
     written_tick = gated.tick();
     written_deadline = gated.deadline_ns();
+    written_mode = gated.mode();
+    acknowledged = gated.acknowledges();
     ++writes;
   }
 };

@@ -52,7 +52,7 @@ class TestRequests : public QObject {
     QTest::newRow("nothing asked") << QByteArray("{ { at = \"1 s\" } }") << "requests: each needs";
     QTest::newRow("unknown")
         << QByteArray("{ { at = \"1 s\", ask = \"stpo\" } }")
-        << "requests.ask = \"stpo\": stop, acknowledge, engage and end are, did "
+        << "requests.ask = \"stpo\": stop, acknowledge, home, engage and end are, did "
            "you mean \"stop\"?";
     QTest::newRow("a number") << QByteArray("{ { at = \"1 s\", ask = 3 } }") << "requests.ask = 3:";
     QTest::newRow("another key") << QByteArray("{ { at = \"1 s\", aks = \"stop\" } }")
