@@ -3,6 +3,7 @@
 
 #include "components/control/friction_compensation.hpp"
 #include "components/control/gain_calibration.hpp"
+#include "components/devices/hid_laparoscope.hpp"
 #include "components/devices/laparoscope.hpp"
 #include "components/devices/simulated_laparoscope.hpp"
 #include "components/kinematics/gravity_compensation.hpp"
@@ -19,6 +20,7 @@ void register_laparoscope(Registry& registry) {
                             "The laparoscopic interface with sites for fixtures, weight held");
   registry.add<SimulatedLaparoscope>("SimulatedLaparoscope", "devices",
                                      "The laparoscopic interface as a simulation");
+  registry.add<HidLaparoscope>("HidLaparoscope", "devices", "The laparoscopic interface over USB");
   registry.add<LaparoscopeKinematics>("LaparoscopeKinematics", "kinematics",
                                       "Where the tool and its sites are and how they move");
   registry.add<LaparoscopeStatics>("LaparoscopeStatics", "kinematics",

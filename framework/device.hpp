@@ -24,6 +24,8 @@ enum class DeviceMode {
 class GatedEffort {
  public:
   const Joints& effort() const RT_SAFE { return effort_; }  // [N or N m], hold included
+  /// Of it, what stays when a device lets no effort pass: hold, and damping while nothing renders.
+  const Joints& hold() const RT_SAFE { return hold_; }
   std::int64_t tick() const RT_SAFE { return tick_; }
   std::int64_t deadline_ns() const RT_SAFE { return deadline_ns_; }  // not valid after it
   DeviceMode mode() const RT_SAFE { return mode_; }
@@ -44,6 +46,7 @@ class GatedEffort {
   Joints effort_;
   std::int64_t tick_;
   std::int64_t deadline_ns_;
+  Joints hold_{};
   DeviceMode mode_ = DeviceMode::off;
   bool acknowledges_ = false;
 };
@@ -114,6 +117,8 @@ class Device : public Component {
   virtual const DeviceLimits& limits() const = 0;
   /// The device starts at rest, engaged, hold full: a simulation may, hardware may not.
   virtual bool starts_engaged() const { return false; }
+  /// It is a thing of its own: virtual time would leave it behind.
+  virtual bool needs_real_time() const { return false; }
 
  protected:
   /// Called by the subclass's constructor with its ports.

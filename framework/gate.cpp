@@ -60,6 +60,7 @@ void Gate::pass(const Tick& tick, bool effort_usable, bool hold_usable) RT_SAFE 
   **device_.effort_sent_ = sent;
   GatedEffort gated(sent, tick.index,
                     tick.time_ns + static_cast<std::int64_t>(deadline_periods * period_ * 1e9));
+  for (int i = 0; i < limits_.axes; ++i) gated.hold_[i] = sent[i] - rendered_before_[i];
   gated.mode_ = mode();
   // On and off again: what the device refuses a moment too early it is asked anew.
   gated.acknowledges_ =

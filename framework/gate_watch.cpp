@@ -126,6 +126,7 @@ void Gate::watch_effort() RT_SAFE {
     effort_lost_ = true;
     return;
   }
+  if (!homed_) return;  // what is computed from no position yet loads nothing
   device_.tool_loads(effort, loads_);
   for (int i = 0; i < loads_.count; ++i) {
     const ToolLoad& load = loads_.load[static_cast<std::size_t>(i)];

@@ -85,6 +85,17 @@ void check_kept(const std::vector<std::string>& keep, const std::vector<RowLayou
                       nearest(name, known).empty() ? "" : suggestion(name, known)));
 }
 
+/// @throw std::invalid_argument
+void refuse_virtual_time(const WiredGraph& wired) {
+  for (const RateGroup& group : wired.groups())
+    for (const Device* device : group.devices())
+      if (device->needs_real_time())
+        throw std::invalid_argument(
+            fmt::format("{} is a real device, and virtual time would leave it behind: run it with "
+                        "--clock realtime, or with device = \"simulated\"",
+                        device->name()));
+}
+
 }  // namespace
 
 std::string check_spin(const RunOptions& options, const Graph& graph) {
@@ -113,6 +124,7 @@ RunResult run(const Graph& graph, const RunOptions& options) {
 
   // In virtual time all threads write one ring, in the order in which they run.
   const bool simulated = options.clock == ClockKind::simulated;
+  if (simulated) refuse_virtual_time(*wired);
   std::size_t largest = sizeof(Event);
   for (const RowLayout& layout : layouts) largest = std::max(largest, layout.size());
   std::deque<BroadcastRing> rings;

@@ -1,31 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/devices/laparoscope.hpp"
 
+#include <optional>
+#include <vector>
+
 #include "framework/graph.hpp"
 
 namespace trocar {
 namespace {
 
 /// A site of the tool: all that concerns it has its name in every part.
-Site site(const std::string& name, NodeId device, NodeId tool, NodeId statics) {
-  return {.position = {tool, name, "position"},
-          .velocity = {tool, name, "velocity"},
-          .force = InputRef{statics, name + "_force"},
-          .moment = InputRef{statics, name + "_moment"},
-          .load = InputRef{device, name + "_load"}};
+Site site(const std::string& name, std::optional<NodeId> loaded, NodeId tool, NodeId statics) {
+  Site site;
+  site.position = {tool, name, "position"};
+  site.velocity = {tool, name, "velocity"};
+  site.force = InputRef{statics, name + "_force"};
+  site.moment = InputRef{statics, name + "_moment"};
+  if (loaded) site.load = InputRef{*loaded, name + "_load"};
+  return site;
 }
 
 }  // namespace
 
 void Laparoscope::build(GroupScope& scope) {
-  const NodeId motors = scope.add("SimulatedLaparoscope", "device");
+  const bool simulated = device->index == 0;
+  const NodeId motors = scope.add(simulated ? "SimulatedLaparoscope" : "HidLaparoscope", "device");
   const NodeId velocity = scope.add("Foaw", "velocity");
   const NodeId tool = scope.add("LaparoscopeKinematics", "tool");
   const NodeId weight = scope.add("GravityCompensation", "weight");
   const NodeId statics = scope.add("LaparoscopeStatics", "statics");
 
-  for (const char* parameter : {"mount", "hand", "start", "ideal"})
+  using Names = std::vector<const char*>;
+  for (const char* parameter :
+       simulated ? Names{"hand", "start", "ideal"} : Names{"serial", "path"})
     scope.forward(parameter, motors, parameter);
+  scope.forward("mount", motors, "mount");
   scope.forward("mount", weight, "mount");
 
   for (const NodeId part : {velocity, tool, weight})
@@ -41,7 +50,8 @@ void Laparoscope::build(GroupScope& scope) {
     scope.forward(name + "_offset", motors, name + "_offset");
     scope.forward(name + "_offset", tool, name + "_offset");
     scope.connect({tool, name, "position"}, {statics, name + "_at"});
-    exports.sites[name] = site(name, motors, tool, statics);
+    exports.sites[name] =
+        site(name, simulated ? std::optional(motors) : std::nullopt, tool, statics);
   }
   for (const char* name : {"pose", "twist", "jacobian", "angles"})
     exports.outputs[name] = {tool, name};

@@ -10,8 +10,6 @@ namespace trocar {
 namespace {
 
 constexpr std::int64_t longest_gap_ns = 1'000'000'000;         // so that a tick stays bounded
-constexpr double calm_force = 1.0;                             // [N] at the handle, to engage
-constexpr double calm_moment = 0.1;                            // [N m]
 constexpr std::uint64_t reports_stream = 0x5265706f72747321u;  // apart from the plant's draws
 
 Joints joints(const Vector6d& numbers) RT_SAFE {
@@ -236,13 +234,7 @@ DeviceStatus SimulatedLaparoscope::status() const RT_SAFE {
 }
 
 void SimulatedLaparoscope::tool_loads(const Joints& rendered, ToolLoads& loads) const RT_SAFE {
-  const LaparoscopeLoads::Loads on = loads_->of(rendered.head<6>());
-  const double force_cap = *handle_force_cap;
-  const double moment_cap = *handle_moment_cap;
-  loads.add({"handle force", on.handle_force, force_cap, 2.0 * force_cap, calm_force});
-  loads.add({"handle moment", on.handle_moment, moment_cap, 2.0 * moment_cap, calm_moment});
-  loads.add({.what = "delta stage", .value = on.delta, .cap = laparoscope_stage_force});
-  loads.add({.what = "gimbal stage", .value = on.gimbal, .cap = laparoscope_stage_force});
+  caps.add(loads_->of(rendered.head<6>()), loads);
 }
 
 double SimulatedLaparoscope::handle_speed(const Joints& velocity) const RT_SAFE {

@@ -5,6 +5,7 @@
 
 #include "components/devices/command_receiver.hpp"
 #include "components/devices/drive_parameters.hpp"
+#include "components/devices/handle_cap_parameters.hpp"
 #include "components/devices/laparoscope_device_limits.hpp"
 #include "components/devices/laparoscope_loads.hpp"
 #include "components/devices/laparoscope_use_parameters.hpp"
@@ -86,22 +87,7 @@ class SimulatedLaparoscope final : public Device {
                                   .min = "0.001 ms",
                                   .max = "0.1 ms",
                                   .doc = "at most; there are at least 4 in a tick"}};
-  Parameter<double> handle_force_cap{this,
-                                     "handle_force_cap",
-                                     {.unit = "N",
-                                      .initial = "20 N",
-                                      .min = "1 N",
-                                      .max = "100 N",
-                                      .doc = "of what is rendered; twice it trips",
-                                      .live = true}};
-  Parameter<double> handle_moment_cap{this,
-                                      "handle_moment_cap",
-                                      {.unit = "N m",
-                                       .initial = "1 N m",
-                                       .min = "0.05 N m",
-                                       .max = "5 N m",
-                                       .doc = "of what is rendered; twice it trips",
-                                       .live = true}};
+  HandleCapParameters caps{this};
   LaparoscopeGeometryParameters geometry{this};
   LaparoscopeMassParameters masses{this};
   LaparoscopeLimitParameters ranges{this};

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "components/register.hpp"
+
+// Before Qt, whose macros take words that the framework uses.
+#include "tests/support/hid_rig.hpp"
+
 #include <QTest>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <set>
 
-#include "components/register.hpp"
 #include "framework/wired_graph.hpp"
 #include "tests/support/allocation_counter.hpp"
 
@@ -193,6 +197,7 @@ class TestRegistry : public QObject {
   void ten_thousand_steps_do_not_allocate_data() { component_rows(registry_); }
   void ten_thousand_steps_do_not_allocate() {
     QFETCH(QString, type);
+    bench_.add(test::EmulatedBench::settings(1));
     std::unique_ptr<WiredGraph> graph;
     try {
       graph = alone(registry_, type.toStdString());
@@ -205,6 +210,7 @@ class TestRegistry : public QObject {
       QVERIFY2(item.component->failure() == nullptr, item.component->failure());
       item.component->stop();
     }
+    bench_.units.clear();
   }
 
   void a_component_that_allocates_is_found() {
@@ -213,7 +219,8 @@ class TestRegistry : public QObject {
   }
 
  private:
-  const Registry registry_ = probes_and_components();
+  test::EmulatedBench bench_;  // for what needs a device of its own
+  const Registry registry_ = test::on_bench(probes_and_components(), bench_);
 };
 
 QTEST_APPLESS_MAIN(TestRegistry)

@@ -63,6 +63,19 @@ class TestGateDevice : public QObject {
     QCOMPARE(rig.mode(), DeviceMode::off);
   }
 
+  void it_says_what_of_the_effort_is_to_stay() {
+    ColdRig rig;
+    rig.effort[0] = 0.9;
+    rig.engage();
+    QCOMPARE(rig.sent(0), 5.9);
+    QVERIFY(std::abs(rig.device.written_hold[0] - 5.0) < 1e-12);
+    rig.gate().stop_rendering({.cause = FaultCause::operator_stop});
+    rig.position[0] += 1e-4;
+    rig.pass();
+    QVERIFY2(rig.sent(0) < 4.99, "damped");
+    QCOMPARE(rig.device.written_hold[0], rig.sent(0));
+  }
+
   void it_renders_only_once_the_device_lets_effort_pass() {
     ColdRig rig;
     rig.effort[2] = 0.9;

@@ -36,7 +36,7 @@ class TestDevice final : public Device {
   double load_trip = std::numeric_limits<double>::infinity();
   int loads = 1;
   Joints own_weight{};  // [N]
-  Joints written{};
+  Joints written{}, written_hold{};
   std::int64_t written_tick = -1, written_deadline = 0;
   DeviceMode written_mode = DeviceMode::off;
   bool acknowledged = false;
@@ -90,6 +90,7 @@ class TestDevice final : public Device {
   Joints weight() const RT_SAFE override { return own_weight; }
   void write(const Tick&, const GatedEffort& gated) RT_SAFE override {
     written = gated.effort();
+    written_hold = gated.hold();
     written_tick = gated.tick();
     written_deadline = gated.deadline_ns();
     written_mode = gated.mode();
