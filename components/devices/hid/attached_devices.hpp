@@ -11,9 +11,9 @@ namespace trocar::hid {
 
 /// A HID interface that is attached, as the system tells.
 struct AttachedDevice {
-  std::string path;  // "/dev/hidraw3"
+  std::string path{};  // "/dev/hidraw3"
   std::uint16_t vendor = 0, product = 0;
-  std::string serial, manufacturer, name;
+  std::string serial{}, manufacturer{}, name{};
   std::uint16_t usage_page = 0;
   int interface = -1;  // of USB; -1 where the bus has none
 
