@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
   add_list(app, status);
   add_describe(app, status);
   add_info(app, status);
+  add_emulate(app, status);
   add_kinematics(app, status);
   add_workspace(app, status);
   add_bench(app, status);
