@@ -47,7 +47,8 @@ void check_writable(const std::string& path) {
 
 SessionOptions session_options(const RunArguments& arguments) {
   SessionOptions options;
-  options.clock = arguments.clock == "simulated" ? ClockKind::simulated : ClockKind::realtime;
+  for (const ClockKind kind : {ClockKind::realtime, ClockKind::simulated, ClockKind::device})
+    if (arguments.clock == to_string(kind)) options.clock = kind;
   if (!arguments.duration.empty()) options.duration = duration_of(arguments.duration, "--for");
   options.seed = arguments.script.seed;
   if (arguments.record) options.record = arguments.record;
@@ -74,7 +75,7 @@ int run(const RunArguments& arguments) {
   options.default_duration = default_simulated_duration;
   options.stop = &stop_on_interrupt();
   std::optional<Intervention> intervention;
-  if (options.clock == ClockKind::realtime) intervention.emplace(arguments.console).add_to(options);
+  if (options.clock != ClockKind::simulated) intervention.emplace(arguments.console).add_to(options);
   Session session(registry, options);
   int status = success;
   try {
@@ -99,8 +100,10 @@ void add_run(CLI::App& app, int& status) {
   arguments->script.add_to(*command);
   command->add_option("--for", arguments->duration,
                       "How long, e.g. 5s (default: until Ctrl-C; 10 s in simulated time)");
-  command->add_option("--clock", arguments->clock, "realtime, or simulated: as fast as it goes")
-      ->check(CLI::IsMember({"realtime", "simulated"}));
+  command
+      ->add_option("--clock", arguments->clock,
+                   "realtime; simulated: as fast as it goes; device: by its reports")
+      ->check(CLI::IsMember({"realtime", "simulated", "device"}));
   arguments->wait.add_to(*command);
   arguments->overload.add_to(*command);
   command->add_option("--record", arguments->record, "Write an MCAP log to this file")

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "framework/component.hpp"
+#include "framework/pacer.hpp"
 
 namespace trocar {
 
@@ -119,6 +120,10 @@ class Device : public Component {
   virtual bool starts_engaged() const { return false; }
   /// It is a thing of its own: virtual time would leave it behind.
   virtual bool needs_real_time() const { return false; }
+  /// Its reports may begin the ticks of its thread, by pacer().
+  virtual bool paces() const { return false; }
+  /// From start() on, where it paces.
+  virtual Pacer* pacer() { return nullptr; }
 
  protected:
   /// Called by the subclass's constructor with its ports.

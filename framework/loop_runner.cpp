@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "framework/paced_clock.hpp"
 #include "framework/supervisor.hpp"
 
 namespace trocar {
@@ -63,7 +64,13 @@ void run_in_virtual_time(std::deque<Executor>& executors) {
   });
 }
 
-Shortcomings run_in_real_time(std::deque<Executor>& executors, std::int64_t spin_ns) {
+Device* pacing_device(const RateGroup& group) {
+  for (Device* device : group.devices())
+    if (device->paces()) return device;
+  return nullptr;
+}
+
+Shortcomings run_in_real_time(std::deque<Executor>& executors, std::int64_t spin_ns, bool paced) {
   std::deque<PeriodicClock> clocks;
   std::vector<LoopThread> threads;
   for (Executor& executor : executors) {
@@ -75,8 +82,14 @@ Shortcomings run_in_real_time(std::deque<Executor>& executors, std::int64_t spin
     thread.options.priority = group.priority();
     thread.options.processor = group.processor();
     thread.prepare = [&executor] { executor.start(); };
-    thread.loop = [&executor, &clock, &group](std::int64_t start_ns) {
+    Device* const device = paced ? pacing_device(group) : nullptr;
+    thread.loop = [&executor, &clock, &group, device](std::int64_t start_ns) {
       const EndOfBeating end{executor.heartbeat()};
+      if (device != nullptr) {
+        PacedClock by_device(*device->pacer());
+        by_device.start(group.period_ns());
+        return executor.loop(by_device);
+      }
       clock.start_at(start_ns + group.phase_ns(), group.period_ns());
       executor.loop(clock);
     };

@@ -14,7 +14,12 @@ void run_in_virtual_time(std::deque<Executor>& executors);
 
 /// Runs each on a thread of the machine of its own, all on one raster of time.
 /// @param spin_ns guard spin of each, see PeriodicClock
+/// @param paced where a thread has a device that paces, its reports begin the ticks
 /// @return what the machine did not allow
-Shortcomings run_in_real_time(std::deque<Executor>& executors, std::int64_t spin_ns);
+Shortcomings run_in_real_time(std::deque<Executor>& executors, std::int64_t spin_ns,
+                              bool paced = false);
+
+/// The first device of a thread that paces, or nullptr.
+Device* pacing_device(const RateGroup& group);
 
 }  // namespace trocar

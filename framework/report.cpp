@@ -127,7 +127,7 @@ std::string timing_text(const ThreadResult& thread, ClockKind clock) {
   };
   std::string text = fmt::format("  one tick took {:.1f} µs (median), {:.1f} µs (99 %)\n",
                                  us(thread.loop.duration, 0.5), us(thread.loop.duration, 0.99));
-  if (clock == ClockKind::realtime)
+  if (clock != ClockKind::simulated)
     text += fmt::format(
         "  lateness {:.0f} µs (median), {:.0f} µs (99 %), {:.0f} µs (worst); {} slots "
         "missed, {} overruns\n",

@@ -92,7 +92,7 @@ Json run_json(const SessionRun& run) {
   for (const ThreadResult& thread : result.threads) threads.push_back(thread_json(thread));
   Json first = threads.front();  // its figures stand with the run as well
   first.erase("name");
-  Json all = {{"clock", result.clock == ClockKind::simulated ? "simulated" : "realtime"},
+  Json all = {{"clock", to_string(result.clock)},
               {"duration", result.duration},
               {"wall_time", result.wall_time},
               {"speed", result.wall_time > 0.0 ? result.duration / result.wall_time : 0.0},

@@ -96,7 +96,28 @@ void refuse_virtual_time(const WiredGraph& wired) {
                         device->name()));
 }
 
+/// @throw std::invalid_argument
+void require_pacer(const WiredGraph& wired) {
+  for (const RateGroup& group : wired.groups())
+    if (pacing_device(group) != nullptr) return;
+  throw std::invalid_argument(
+      "the clock \"device\": no device of the graph paces a loop by its reports; take realtime or "
+      "simulated, or a device = \"hid\"");
+}
+
 }  // namespace
+
+const char* to_string(ClockKind clock) {
+  switch (clock) {
+    case ClockKind::realtime:
+      return "realtime";
+    case ClockKind::simulated:
+      return "simulated";
+    case ClockKind::device:
+      return "device";
+  }
+  return "unknown";
+}
 
 std::string check_spin(const RunOptions& options, const Graph& graph) {
   for (NodeId id = 0; id < graph.size(); ++id) {
@@ -125,6 +146,7 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   // In virtual time all threads write one ring, in the order in which they run.
   const bool simulated = options.clock == ClockKind::simulated;
   if (simulated) refuse_virtual_time(*wired);
+  if (options.clock == ClockKind::device) require_pacer(*wired);
   std::size_t largest = sizeof(Event);
   for (const RowLayout& layout : layouts) largest = std::max(largest, layout.size());
   std::deque<BroadcastRing> rings;
@@ -176,7 +198,8 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   if (simulated)
     run_in_virtual_time(executors);
   else
-    shortcomings = run_in_real_time(executors, spin_ns(options));
+    shortcomings =
+        run_in_real_time(executors, spin_ns(options), options.clock == ClockKind::device);
   const std::int64_t end = monotonic_ns();
   if (operator_input) operator_input->finish();
 

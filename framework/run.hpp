@@ -15,7 +15,11 @@
 
 namespace trocar {
 
-enum class ClockKind { realtime, simulated };
+/// `device`: threads with a device that paces tick by its reports, the others as in real time.
+enum class ClockKind { realtime, simulated, device };
+
+/// "realtime", as --clock and reports call it.
+const char* to_string(ClockKind clock);
 
 /// How the loop keeps time, and what follows when it cannot. In virtual time none of it applies.
 struct LoopTiming {

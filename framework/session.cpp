@@ -96,7 +96,7 @@ std::vector<RowSink*> Session::begin_captures(const WiredGraph& wired) {
   SessionCaptures::Run run{.graph = graph_, .stem = stem()};
   if (log_)
     run.epoch_ns = log_->start_ns();
-  else if (options_.clock == ClockKind::realtime)
+  else if (options_.clock != ClockKind::simulated)
     run.epoch_ns = date_ns();
   for (const auto& [name, text] : scripts_) run.attachments.push_back({name, "text/x-lua", text});
   run.attachments.push_back({"graph.json", "application/json", graph_json(graph_, &wired)});
@@ -116,7 +116,7 @@ const SessionRun& Session::run(RunOptions wanted) {
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);
   const std::unique_ptr<WiredGraph> wired = wire(graph_, wanted.wiring);  // before a log is begun
   if (const std::string wrong = check_spin(wanted, graph_);
-      wanted.clock == ClockKind::realtime && !wrong.empty()) {
+      wanted.clock != ClockKind::simulated && !wrong.empty()) {
     Findings findings;
     findings.add({"--spin", 0}, wrong);
     throw BrokenGraph(findings);

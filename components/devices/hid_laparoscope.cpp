@@ -78,6 +78,10 @@ std::unique_ptr<hid::DeviceLine> HidLaparoscope::line(const hid::DeviceLineSetti
   return std::make_unique<hid::DeviceLine>(which.source(), time, settings);
 }
 
+Pacer* HidLaparoscope::pacer() {
+  return line_.get();
+}
+
 void HidLaparoscope::start() {
   const std::int64_t oldest_ns = std::llround(*own.report_stale * 1e9);
   line_ = line({.name = name(), .oldest_ns = oldest_ns, .period_ns = period_ns_});

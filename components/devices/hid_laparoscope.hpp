@@ -45,6 +45,8 @@ class HidLaparoscope : public Device {
   void stop() override;
   const DeviceLimits& limits() const override { return limits_; }
   bool needs_real_time() const override { return true; }
+  bool paces() const override { return true; }
+  Pacer* pacer() override;
 
   Input<Joints> hold{this, "hold", command("holds the weight; without it nothing does")};
   Input<Joints> effort{this, "effort", command("to be rendered")};

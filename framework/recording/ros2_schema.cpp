@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t max_name = 255;
 constexpr int max_depth = 32;
 
-[[noreturn]] void refuse(const std::string& text) {
+[[noreturn]] void refuse_schema(const std::string& text) {
   throw std::invalid_argument("ros2msg: " + text);
 }
 
@@ -50,32 +50,34 @@ bool is_message_name(std::string_view name) {
 void check_comment(const std::string& comment, const std::string& owner) {
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
   if (std::any_of(comment.begin(), comment.end(), is_control))
-    refuse("the comment of '" + owner + "' must be one line without control characters");
+    refuse_schema("the comment of '" + owner + "' must be one line without control characters");
 }
 
 void check_field(const Ros2Field& field, const Ros2Message& message) {
   const std::string owner = message.name + "." + field.name;
   if (!is_snake_case(field.name))
-    refuse("field name '" + field.name + "' of " + message.name +
-           " must be of a-z, 0-9 and single '_', begin with a letter and not end with '_', e.g. "
-           "'position_x'");
+    refuse_schema(
+        "field name '" + field.name + "' of " + message.name +
+        " must be of a-z, 0-9 and single '_', begin with a letter and not end with '_', e.g. "
+        "'position_x'");
   if (find_ros2_type(field.type) == nullptr && !is_message_name(field.type))
-    refuse("type '" + field.type + "' of '" + owner +
-           "' must be a primitive, e.g. 'float64', or a message, e.g. 'trocar/Vector3'");
+    refuse_schema("type '" + field.type + "' of '" + owner +
+                  "' must be a primitive, e.g. 'float64', or a message, e.g. 'trocar/Vector3'");
   check_comment(field.comment, owner);
 }
 
 void check_message(const Ros2Message& message) {
   if (!is_message_name(message.name))
-    refuse("message name '" + message.name +
-           "' must be a package in snake_case, '/' and a name in CamelCase, e.g. 'trocar/Row'");
-  if (message.fields.empty()) refuse(message.name + " must have at least one field");
+    refuse_schema(
+        "message name '" + message.name +
+        "' must be a package in snake_case, '/' and a name in CamelCase, e.g. 'trocar/Row'");
+  if (message.fields.empty()) refuse_schema(message.name + " must have at least one field");
   check_comment(message.comment, message.name);
   std::set<std::string_view> names;
   for (const Ros2Field& field : message.fields) {
     check_field(field, message);
     if (!names.insert(field.name).second)
-      refuse("field '" + field.name + "' stands twice in " + message.name);
+      refuse_schema("field '" + field.name + "' stands twice in " + message.name);
   }
 }
 
@@ -86,23 +88,23 @@ int depth_of(const Ros2Message& message, const Definitions& definitions,
              std::map<std::string_view, int>& known, int above) {
   constexpr int being_measured = -1;
   if (above > max_depth)
-    refuse("messages are nested more than " + std::to_string(max_depth) + " deep at " +
-           message.name);
+    refuse_schema("messages are nested more than " + std::to_string(max_depth) + " deep at " +
+                  message.name);
   const auto [entry, is_new] = known.emplace(message.name, being_measured);
-  if (!is_new && entry->second == being_measured) refuse(message.name + " contains itself");
+  if (!is_new && entry->second == being_measured) refuse_schema(message.name + " contains itself");
   if (!is_new) return entry->second;
   int depth = 0;
   for (const Ros2Field& field : message.fields) {
     if (find_ros2_type(field.type) != nullptr) continue;
     const auto nested = definitions.find(field.type);
     if (nested == definitions.end())
-      refuse("type '" + field.type + "' of '" + message.name + "." + field.name +
-             "' is not defined; add its definition");
+      refuse_schema("type '" + field.type + "' of '" + message.name + "." + field.name +
+                    "' is not defined; add its definition");
     depth = std::max(depth, 1 + depth_of(*nested->second, definitions, known, above + 1));
   }
   if (above + depth > max_depth)
-    refuse("messages are nested more than " + std::to_string(max_depth) + " deep at " +
-           message.name);
+    refuse_schema("messages are nested more than " + std::to_string(max_depth) + " deep at " +
+                  message.name);
   return known[message.name] = depth;
 }
 
@@ -130,12 +132,12 @@ std::string ros2_short_name(std::string_view name) {
 }
 
 void check_ros2_messages(const std::vector<Ros2Message>& messages) {
-  if (messages.empty()) refuse("a schema needs a message");
+  if (messages.empty()) refuse_schema("a schema needs a message");
   Definitions definitions;
   for (const Ros2Message& message : messages) {
     check_message(message);
     if (!definitions.emplace(message.name, &message).second)
-      refuse(message.name + " is defined twice");
+      refuse_schema(message.name + " is defined twice");
   }
   std::map<std::string_view, int> known;
   for (const Ros2Message& message : messages) depth_of(message, definitions, known, 0);

@@ -4,6 +4,7 @@
 #include "components/devices/hid/command_report.hpp"
 #include "components/devices/hid/link.hpp"
 #include "components/devices/hid/report_check.hpp"
+#include "framework/realtime/doorbell.hpp"
 #include "framework/realtime/handover.hpp"
 #include "framework/realtime/latest.hpp"
 
@@ -50,6 +51,7 @@ struct DeviceExchange {
   Latest<PostedCommand> posted;            // loop to writer
   Latest<WrittenCommand> written;          // writer to loop
   Latest<std::int64_t> stalled_ns;         // supervisor to writer: when the loop was given up
+  Doorbell arrival;                        // reader to a loop that is paced, at each snapshot
   Handover<std::unique_ptr<Link>> outlet;  // reader to writer, after each opening
 };
 

@@ -23,6 +23,12 @@ DeviceLine::~DeviceLine() {
   stop();
 }
 
+const LaparoscopePages& DeviceLine::open() {
+  const LaparoscopePages& pages = reader_.open();
+  period_ns_ = std::int64_t{pages.identity.period_us} * 1000;
+  return pages;
+}
+
 void DeviceLine::start() {
   if (!settings_.threads) return;
   reading_.emplace("read " + settings_.name, [this](const StopFlag& stop) {
@@ -61,6 +67,22 @@ const DeviceSnapshot& DeviceLine::snapshot() RT_SAFE {
 const WrittenCommand& DeviceLine::written() RT_SAFE {
   exchange_.written.load(written_);
   return written_;
+}
+
+/// Other reports ring as well, and leave the device's time as it was.
+bool DeviceLine::wait_for_beat(std::int64_t date_ns, Beat& beat) RT_SAFE {
+  while (true) {
+    const std::uint32_t rings = exchange_.arrival.wait(rings_, date_ns);
+    const bool rang = rings != rings_;
+    rings_ = rings;
+    DeviceSnapshot newest;
+    if (exchange_.snapshot.load(newest) && newest.any && newest.device_us * 1000 != beat_own_ns_) {
+      beat_own_ns_ = newest.device_us * 1000;
+      beat = {beat_own_ns_, newest.arrival_ns};
+      return true;
+    }
+    if (!rang) return false;
+  }
 }
 
 void DeviceLine::post(const PostedCommand& command) RT_SAFE {

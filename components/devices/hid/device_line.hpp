@@ -7,6 +7,7 @@
 
 #include "components/devices/hid/device_reader.hpp"
 #include "components/devices/hid/device_writer.hpp"
+#include "framework/pacer.hpp"
 #include "framework/realtime/service_thread.hpp"
 
 namespace trocar::hid {
@@ -20,16 +21,16 @@ struct DeviceLineSettings {
 
 /// The loop's end of the way to one device. With threads nothing here waits; the loop neither locks
 /// nor allocates.
-class DeviceLine {
+class DeviceLine final : public Pacer {
  public:
   /// @param time outlives it
   DeviceLine(std::unique_ptr<LinkSource> source, TimeSource& time, DeviceLineSettings settings);
-  ~DeviceLine();
+  ~DeviceLine() override;
   DeviceLine(const DeviceLine&) = delete;
   DeviceLine& operator=(const DeviceLine&) = delete;
 
   /// Finds the device. @throw std::runtime_error as DeviceReader::open
-  const LaparoscopePages& open() { return reader_.open(); }
+  const LaparoscopePages& open();
   /// Reads and writes from now on.
   void start();
   /// Writes what is posted, and ends.
@@ -43,6 +44,10 @@ class DeviceLine {
   void loop_stalled() { exchange_.stalled_ns.store(time_.now()); }
   std::int64_t now() const RT_SAFE { return time_.now(); }
 
+  /// Of the device's state reports; where there are threads.
+  std::int64_t period_ns() const override { return period_ns_; }
+  bool wait_for_beat(std::int64_t date_ns, Beat& beat) RT_SAFE override;
+
  private:
   void write_until(const StopFlag& stop);
 
@@ -54,6 +59,9 @@ class DeviceLine {
   DeviceWriter writer_;
   DeviceSnapshot snapshot_;
   WrittenCommand written_;
+  std::int64_t period_ns_ = 0;
+  std::uint32_t rings_ = 0;        // heard
+  std::int64_t beat_own_ns_ = -1;  // given last
   std::optional<ServiceThread> reading_, writing_;
 };
 

@@ -26,7 +26,10 @@ class DeviceReader {
   void connect(LinkPair pair);
   bool reopen(int timeout_ms);
   void take(ReportBytes bytes, std::int64_t now_ns);
-  void publish() { exchange_.snapshot.store(snapshot_); }
+  void publish() {
+    exchange_.snapshot.store(snapshot_);
+    exchange_.arrival.ring();
+  }
 
   LinkSource& source_;
   TimeSource& time_;

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// ServiceThread, and what its like meet in: Latest, Handover, Exclusive.
+// ServiceThread, and what its like meet in: Latest, Handover, Exclusive, Doorbell.
 #include "framework/realtime/service_thread.hpp"
 
 #include <QTest>
 #include <array>
 #include <atomic>
+#include <limits>
 #include <memory>
 
+#include "framework/realtime/doorbell.hpp"
 #include "framework/realtime/exclusive.hpp"
 #include "framework/realtime/handover.hpp"
 #include "framework/realtime/latest.hpp"
+#include "framework/time_source.hpp"
 
 using namespace trocar;
 
@@ -62,6 +65,31 @@ class TestServiceThread : public QObject {
     const auto thing = handover.take();
     QVERIFY(thing && **thing == 2);
     QVERIFY(!handover.take());
+  }
+
+  void a_doorbell_is_heard_and_no_ring_is_lost() {
+    Doorbell there, back;
+    constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+    ServiceThread echo("echo", [&](const StopFlag& stop) {
+      for (std::uint32_t heard = 0; !stop.raised(); back.ring()) heard = there.wait(heard, never);
+    });
+    std::uint32_t heard = 0;
+    for (int i = 0; i < 2000; ++i) {
+      there.ring();
+      heard = back.wait(heard, never);
+    }
+    QVERIFY(heard > 0);
+    there.ring();  // it may wait
+  }
+
+  void a_doorbell_is_waited_for_until_a_date() {
+    Doorbell bell;
+    const std::int64_t begin = monotonic_ns();
+    QCOMPARE(bell.wait(0, begin + 2'000'000), 0u);
+    QVERIFY(monotonic_ns() - begin >= 2'000'000);
+    QVERIFY2(bell.wait(0, 1) == 0u, "a date that is over");
+    bell.ring();
+    QCOMPARE(bell.wait(0, 1), 1u);
   }
 
   void one_at_a_time() {

@@ -185,6 +185,23 @@ class TestDeviceLine : public QObject {
     }
   }
 
+  void its_state_reports_are_beats() {
+    DeviceThread device;
+    DeviceLine line(std::make_unique<ThreadSource>(device), time_, settings());
+    line.open();
+    line.start();
+    QCOMPARE(line.period_ns(), std::int64_t{1'000'000});
+    Pacer::Beat beat;
+    QVERIFY(line.wait_for_beat(line.now(), beat));
+    for (int i = 0; i < 50; ++i) {
+      const Pacer::Beat before = beat;
+      QVERIFY(line.wait_for_beat(line.now() + 60'000'000'000, beat));
+      QVERIFY(beat.own_ns > before.own_ns);
+      QCOMPARE(beat.own_ns % 250'000, before.own_ns % 250'000);
+      QVERIFY(beat.date_ns >= before.date_ns);
+    }
+  }
+
   void the_last_command_is_written_before_it_ends() {
     DeviceThread device;
     DeviceLine line(std::make_unique<ThreadSource>(device), time_, settings());
