@@ -55,9 +55,10 @@ class TestCompletion : public QObject {
         {"--help", "--json", "-h"});
     row("options of a command below", {"kinematics", "fk", "-"}, {"--help", "-h"});
     row("options of trocar itself", {"--v"}, {"--version"});
-    row("choices", {"run", wall, "--clock", ""}, {"realtime", "simulated"});
+    row("choices", {"run", wall, "--clock", ""}, {"device", "realtime", "simulated"});
     row("choices behind an equals sign", {"run", "--clock", "=", "s"}, {"simulated"});
-    row("choices right behind an equals sign", {"run", "--clock", "="}, {"realtime", "simulated"});
+    row("choices right behind an equals sign", {"run", "--clock", "="},
+        {"device", "realtime", "simulated"});
     row("choices of an operand", {"completion", ""}, {"bash", "fish", "zsh"});
     row("formats of a graph", {"graph", wall, "--format", "m"}, {"mermaid"});
     row("scripts", {"check", "scripts/tutorial/01"}, {wall});

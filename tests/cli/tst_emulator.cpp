@@ -159,10 +159,10 @@ class TestEmulator : public QObject {
     port->receive(bytes);
     QCOMPARE(second.in->read(bytes, 0), hid::Link::gone);
     QCOMPARE(host.in->read(bytes, 0), 0);
-    QVERIFY_EXCEPTION_THROWN(socket_port(path), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, socket_port(path));
     port->unplug();
     QCOMPARE(host.in->read(bytes, 0), hid::Link::gone);
-    QVERIFY_EXCEPTION_THROWN(source.open(), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, source.open());
     port->plug();
     const hid::LinkPair again = source.open();
     QVERIFY(again.out->write(hid::Report{4}));
@@ -174,7 +174,7 @@ class TestEmulator : public QObject {
     QFile file(folder.filePath("device.sock"));
     QVERIFY(file.open(QFile::WriteOnly) && file.write("mine") == 4);
     file.close();
-    QVERIFY_EXCEPTION_THROWN(socket_port(file.fileName().toStdString()), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, socket_port(file.fileName().toStdString()));
     QVERIFY(file.exists());
   }
 
@@ -189,11 +189,11 @@ class TestEmulator : public QObject {
     port->send(hid::Report{9});
     QCOMPARE(port->receive(bytes), std::size_t{64});
     QCOMPARE(int{bytes[0]}, 9);
-    QVERIFY_EXCEPTION_THROWN(port->unplug(), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, port->unplug());
   }
 
   void what_is_not_there_is_said_with_its_cure() {
-    QVERIFY_EXCEPTION_THROWN(gadget_port("/nowhere/hidg0"), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, gadget_port("/nowhere/hidg0"));
     try {
       uhid_port("/nowhere/uhid", {});
       QFAIL("opened");

@@ -91,7 +91,7 @@ class TestAttachedDevices : public QObject {
     QCOMPARE(usb_number("1209", "vendor"), std::uint16_t{0x1209});
     QCOMPARE(usb_number("C0fe", "vendor"), std::uint16_t{0xC0FE});
     for (const char* wrong : {"", "12", "12090", "0x12", "12g9", "-209", " 209"})
-      QVERIFY_EXCEPTION_THROWN(usb_number(wrong, "vendor"), std::invalid_argument);
+      QVERIFY_THROWS_EXCEPTION(std::invalid_argument, usb_number(wrong, "vendor"));
   }
 
   void a_file_that_may_not_be_opened_has_its_cure() {
@@ -108,8 +108,8 @@ class TestAttachedDevices : public QObject {
 
   void a_path_without_a_device_is_refused() {
     HidapiSource source({.path = "/dev/no-such-hidraw"});
-    QVERIFY_EXCEPTION_THROWN(source.open(), std::runtime_error);
-    QVERIFY_EXCEPTION_THROWN(HidapiLink("/dev/no-such-hidraw"), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, source.open());
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, HidapiLink("/dev/no-such-hidraw"));
   }
 };
 

@@ -160,9 +160,9 @@ class TestEmulatedLaparoscope : public QObject {
   }
 
   void settings_that_no_device_can_have_are_refused() {
-    QVERIFY_EXCEPTION_THROWN(EmulatedLaparoscope({.cycle_us = 0}), std::invalid_argument);
-    QVERIFY_EXCEPTION_THROWN(EmulatedLaparoscope({.cycle_us = 300}), std::invalid_argument);
-    QVERIFY_EXCEPTION_THROWN(EmulatedLaparoscope({.period_us = 100'000}), std::invalid_argument);
+    QVERIFY_THROWS_EXCEPTION(std::invalid_argument, EmulatedLaparoscope({.cycle_us = 0}));
+    QVERIFY_THROWS_EXCEPTION(std::invalid_argument, EmulatedLaparoscope({.cycle_us = 300}));
+    QVERIFY_THROWS_EXCEPTION(std::invalid_argument, EmulatedLaparoscope({.period_us = 100'000}));
   }
 
   void a_cycle_does_not_allocate() {

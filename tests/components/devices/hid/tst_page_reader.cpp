@@ -72,9 +72,9 @@ class TestPageReader : public QObject {
     bench.add(EmulatedBench::settings(5)).deaf = true;
     test::BenchSource source(bench, "any");
     const LinkPair pair = source.open();
-    QVERIFY_EXCEPTION_THROWN(read_pages(*pair.in, *pair.out, bench), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, read_pages(*pair.in, *pair.out, bench));
     bench.unplug(bench.units[0]);
-    QVERIFY_EXCEPTION_THROWN(read_pages(*pair.in, *pair.out, bench), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, read_pages(*pair.in, *pair.out, bench));
   }
 
   void what_agrees_is_taken() { QCOMPARE(refusal(pages(), expected()), std::string()); }

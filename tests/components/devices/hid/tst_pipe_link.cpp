@@ -73,7 +73,7 @@ class TestPipeLink : public QObject {
       QVERIFY(said.find("/nowhere/emulated.sock") != std::string::npos);
       QVERIFY(said.find("start an emulated device") != std::string::npos);
     }
-    QVERIFY_EXCEPTION_THROWN(PipeLink::connect(std::string(200, 'x')), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, PipeLink::connect(std::string(200, 'x')));
   }
 };
 
