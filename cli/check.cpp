@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/preflight.hpp"
 #include "cli/script_options.hpp"
 #include "components/register.hpp"
 #include "framework/scripting/script.hpp"
@@ -51,19 +53,57 @@ int check(const ScriptOptions& script, bool json) {
   return findings.empty() ? success : misused;
 }
 
+int fly(const ScriptOptions& script, const std::string& duration, AllocationCount allocations,
+        bool json) {
+  Registry registry;
+  register_components(registry);
+  SessionOptions options{.seed = script.seed, .print_to_stderr = json};
+  if (!duration.empty()) options.duration = duration_of(duration, "--for");
+  options.allocations = allocations;
+  options.stop = &stop_on_interrupt();
+  Graph::Overrides script_arguments;
+  script.split(options.set, script_arguments);
+  try {
+    const Preflight result =
+        preflight(registry, script.script, std::move(options), std::move(script_arguments));
+    if (json)
+      print_json(preflight_json(result));
+    else
+      print(fmt::format("{}: {}", script.script, preflight_text(result)));
+    return result.failures().empty() ? success : failed;
+  } catch (const BrokenGraph& broken) {
+    if (json)
+      print_json(json_of(broken.findings));
+    else
+      complain(mistakes_text(broken.findings));
+    return misused;
+  }
+}
+
 }  // namespace
 
-void add_check(CLI::App& app, int& status) {
+void add_check(CLI::App& app, int& status, AllocationCount allocations) {
   CLI::App* command =
       app.add_subcommand("check", "Find every mistake in a script without running its graph");
   const auto script = std::make_shared<ScriptOptions>();
   const auto json = std::make_shared<bool>(false);
   script->add_to(*command);
+  const auto preflight = std::make_shared<bool>(false);
+  const auto duration = std::make_shared<std::string>();
+  auto* flag = command->add_flag("--preflight", *preflight,
+                                 "Run it in virtual time: what steps cost, peaks, what would trip");
+  command->add_option("--for", *duration, "How long (default: as the script says, else 10 s)")
+      ->needs(flag);
   command->add_flag("--json", *json, "Print JSON");
   command->footer(
       "Example:\n  trocar check scripts/tutorial/01_feel_a_wall.lua\n"
-      "A script that runs its graph itself is read up to its first trocar.run.");
-  command->callback([script, json, &status] { status = check(*script, *json); });
+      "  trocar check scripts/tutorial/01_feel_a_wall.lua --preflight --for 5s\n"
+      "A script that runs its graph itself is read up to its first trocar.run; a preflight does\n"
+      "that run, with the simulated device and hand of the script.\n"
+      "Exit status: 0 success, 1 something would trip or allocates, 2 wrong usage or mistakes.");
+  command->callback([=, &status] {
+    status = *preflight ? fly(*script, *duration, allocations, *json) : check(*script, *json);
+  });
 }
 
 }  // namespace trocar::cli

@@ -3,6 +3,8 @@
 
 #include <CLI/App.hpp>
 
+#include "framework/step_cost.hpp"
+
 /// @file
 /// The subcommands of `trocar`. Each function adds one; when it runs it sets `status`.
 
@@ -16,7 +18,8 @@ enum ExitStatus : int {
 };
 
 void add_bench(CLI::App& app, int& status);
-void add_check(CLI::App& app, int& status);
+/// @param allocations of the calling thread so far, or null where nobody counts
+void add_check(CLI::App& app, int& status, AllocationCount allocations);
 void add_completion(CLI::App& app, int& status);
 void add_describe(CLI::App& app, int& status);
 void add_emulate(CLI::App& app, int& status);
@@ -25,6 +28,7 @@ void add_info(CLI::App& app, int& status);
 void add_kinematics(CLI::App& app, int& status);
 void add_list(CLI::App& app, int& status);
 void add_run(CLI::App& app, int& status);
+void add_stubs(CLI::App& app, int& status);
 void add_test(CLI::App& app, int& status);
 void add_workspace(CLI::App& app, int& status);
 

@@ -2,6 +2,7 @@
 #include <exception>
 
 #include "cli/commands.hpp"
+#include "cli/heap_allocations.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
 
@@ -13,7 +14,7 @@ int run(int argc, char** argv) {
   int status = success;
   set_up(app);
   add_run(app, status);
-  add_check(app, status);
+  add_check(app, status, heap_allocations);
   add_test(app, status);
   add_graph(app, status);
   add_list(app, status);
@@ -24,6 +25,7 @@ int run(int argc, char** argv) {
   add_workspace(app, status);
   add_bench(app, status);
   add_completion(app, status);
+  add_stubs(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

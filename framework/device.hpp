@@ -115,6 +115,7 @@ class Device : public Component {
   Output<Joints>& position() { return *position_; }
   const InputPort& hold_port() const { return *hold_; }
   const InputPort& effort_port() const { return *effort_; }
+  const OutputPort& effort_sent_port() const { return *effort_sent_; }
   virtual const DeviceLimits& limits() const = 0;
   /// The device starts at rest, engaged, hold full: a simulation may, hardware may not.
   virtual bool starts_engaged() const { return false; }

@@ -26,6 +26,7 @@ Executor::Executor(const RateGroup& group, ExecutorOptions options)
     if (item.component->wants_slack()) in_slack_.push_back(item.component);
   times_.resize(count);
   statistics_.components.resize(count);
+  if (options_.allocations != nullptr) statistics_.costs.resize(count);
 }
 
 void Executor::run(Clock& clock) {
@@ -91,6 +92,8 @@ void Executor::tick(const Slot& slot, bool simulated) RT_SAFE {
   if (options_.timing) {
     last_duration_ = (simulated ? end : monotonic_ns()) - begin;
     statistics_.duration.add(last_duration_);
+    if (options_.allocations != nullptr)
+      statistics_.tick_cost.add(tick.index, last_duration_, 0);
   }
   if (!in_slack_.empty()) use_slack();
 }
@@ -161,7 +164,8 @@ inline void Executor::step_all(const Tick& tick, std::int64_t begin) RT_SAFE {
   if (!options_.timing) return stepper_.step(tick);
   const bool first = !std::exchange(edited_, false) && group_.arrivals().empty();
   stepper_.step(tick, first ? begin : monotonic_ns(),
-                {times_, statistics_.components, !simulated_});
+                {times_, statistics_.components, !simulated_, options_.allocations,
+                 statistics_.costs});
 }
 
 void Executor::pass_gates(const Tick& tick) RT_SAFE {

@@ -18,6 +18,7 @@
 #include "framework/realtime/stop_flag.hpp"
 #include "framework/realtime/timing_histogram.hpp"
 #include "framework/recording/row_layout.hpp"
+#include "framework/step_cost.hpp"
 #include "framework/stepper.hpp"
 
 namespace trocar {
@@ -33,6 +34,7 @@ struct ExecutorOptions {
   const StopFlag* stop = nullptr;
   StopFlag* end_all = nullptr;  // of all threads; raised when this one ends the run
   OverloadSettings overload{};
+  AllocationCount allocations = nullptr;  // with timing: keep what steps and ticks cost
   std::uint32_t index = 0;  // of the group: goes with each of its rows and events
 };
 
@@ -47,6 +49,8 @@ struct LoopStatistics {
   TimingHistogram lateness;
   TimingHistogram duration;
   std::vector<TimingHistogram> components{};  // in the order of the schedule
+  StepCost tick_cost{};                       // where allocations are counted
+  std::vector<StepCost> costs{};              // likewise, of components
 };
 
 /// Runs what one thread of a wired graph does, once, tick by tick: commands → what other threads

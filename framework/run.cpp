@@ -43,9 +43,11 @@ ThreadResult result_of(const Executor& executor) {
   ThreadResult result{
       .name = group.name(), .rate = 1.0 / group.period(), .loop = executor.statistics()};
   const std::vector<TimingHistogram> times = std::exchange(result.loop.components, {});
+  const std::vector<StepCost> costs = std::exchange(result.loop.costs, {});
   result.components.reserve(times.size());  // 8 KiB each
   for (std::size_t i = 0; i < times.size(); ++i)
-    result.components.push_back({group.schedule()[i].component->name(), times[i]});
+    result.components.push_back({group.schedule()[i].component->name(), times[i],
+                                 costs.empty() ? StepCost{} : costs[i]});
   return result;
 }
 
@@ -176,6 +178,7 @@ RunResult run(const Graph& graph, const RunOptions& options) {
                                                   .stop = options.stop,
                                                   .end_all = &ended,
                                                   .overload = options.timing.overload,
+                                                  .allocations = options.allocations,
                                                   .index = static_cast<std::uint32_t>(i)});
   }
   if (const std::string wrong = check_spin(options, graph); !simulated && !wrong.empty())

@@ -42,6 +42,7 @@ struct RunOptions {
   bool keep_rows = false;           // for an experiment to compute with
   std::vector<std::string> keep{};  // signals, ports or components of which; all when empty
   std::vector<RowSink*> sinks{};
+  AllocationCount allocations = nullptr;  // to keep what each component's steps cost
   const StopFlag* stop = nullptr;
 };
 
@@ -61,6 +62,7 @@ struct FaultRecord {
 struct ComponentTiming {
   std::string name;
   TimingHistogram time;
+  StepCost cost{};  // where RunOptions::allocations is given
 };
 
 /// What one thread of a run came to.

@@ -111,6 +111,7 @@ const SessionRun& Session::run(RunOptions wanted) {
     wanted.duration = options_.default_duration;
   if (options_.seed) wanted.wiring.seed = *options_.seed;
   wanted.wiring.virtual_time = options_.clock == ClockKind::simulated;
+  wanted.allocations = options_.allocations;
   wanted.stop = options_.stop;
   wanted.operator_input = options_.operator_input;
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);

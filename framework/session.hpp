@@ -28,6 +28,7 @@ struct SessionOptions {
   bool check_only = false;                     // stop at the first run
   bool write_files = true;                     // logs and captures that the script asks for
   bool print_to_stderr = false;                // what the script prints
+  AllocationCount allocations = nullptr;  // see RunOptions
   const StopFlag* stop = nullptr;
   std::function<bool(RunControl&)> operator_input{};  // see RunOptions
   RowSink* watch = nullptr;                           // of every run

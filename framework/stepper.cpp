@@ -94,10 +94,21 @@ void Stepper::step(const Tick& tick) RT_SAFE {
 }
 
 void Stepper::step(const Tick& tick, std::int64_t begin, const StepTimes& times) RT_SAFE {
+  if (times.allocations == nullptr)
+    step_timed<false>(tick, begin, times);
+  else
+    step_timed<true>(tick, begin, times);
+}
+
+/// Asked once for each tick, so that who does not count pays for no more than that.
+template <bool counted>
+void Stepper::step_timed(const Tick& tick, std::int64_t begin, const StepTimes& times) RT_SAFE {
   Tick after_gap;
   const Tick& every = seen_by_plain(tick, after_gap);
   std::int64_t before = begin;
   for (std::size_t i = 0; i < items_.size(); ++i) {
+    [[maybe_unused]] std::uint64_t allocated = 0;
+    if constexpr (counted) allocated = times.allocations();
     if (items_[i].plain) {
       step_plain(items_[i], every);
     } else if (!step_special(i, tick)) {
@@ -107,6 +118,8 @@ void Stepper::step(const Tick& tick, std::int64_t begin, const StepTimes& times)
     const std::int64_t after = monotonic_ns();
     times.latest[i] = after - before;
     times.histogram[i].add(after - before);
+    if constexpr (counted)
+      times.costs[i].add(tick.index, after - before, times.allocations() - allocated);
     if (items_[i].told && times.tell) items_[i].component->take_duration(after - before);
     before = after;
   }

@@ -8,14 +8,17 @@
 #include "framework/rate_group.hpp"
 #include "framework/realtime/timing_histogram.hpp"
 #include "framework/resist_only.hpp"
+#include "framework/step_cost.hpp"
 
 namespace trocar {
 
 /// Where the time of each component goes, in the order of the schedule.
 struct StepTimes {
-  std::span<std::int64_t> latest;        // [ns] in this tick, 0 where it was not due
-  std::span<TimingHistogram> histogram;  // of all ticks
-  bool tell = true;                      // components that want to know; not in virtual time
+  std::span<std::int64_t> latest;         // [ns] in this tick, 0 where it was not due
+  std::span<TimingHistogram> histogram;   // of all ticks
+  bool tell = true;                       // components that want to know; not in virtual time
+  AllocationCount allocations = nullptr;  // null: costs are not kept
+  std::span<StepCost> costs{};            // of all ticks
 };
 
 /// Steps the components of a schedule in their order, tick by tick, and watches over what they
@@ -66,6 +69,8 @@ class Stepper {
   std::size_t index_of(const Item& item) const RT_SAFE {
     return static_cast<std::size_t>(&item - items_.data());
   }
+  template <bool counted>
+  void step_timed(const Tick& tick, std::int64_t begin, const StepTimes& times) RT_SAFE;
   void step_plain(Item& item, const Tick& own) RT_SAFE;
   bool step_special(std::size_t i, const Tick& tick) RT_SAFE;
   void give_up(std::size_t i, const Tick& tick) RT_SAFE;

@@ -27,6 +27,7 @@ class TestUsage : public QObject {
     row("of completion", {"completion", "--help"}, 0, "source <(trocar completion bash)", "");
     row("names alone", {"list", "--names"}, 0, "\nWall\n", "");
     row("of describe", {"describe", "--help"}, 0, "Example:\n  trocar describe Wall", "");
+    row("of stubs", {"stubs", "--help"}, 0, "Example:\n  trocar stubs wall.lua", "");
     row("of info", {"info", "--help"}, 0, "Example:\n  trocar info demo.mcap", "");
     row("of bench", {"bench", "--help"}, 0, "Example:\n  trocar bench --rates", "");
     row("of kinematics", {"kinematics", "--help"}, 0, "Example:\n  trocar kinematics fk", "");
