@@ -9,7 +9,8 @@
 
 namespace trocar::cli {
 
-Intervention::Intervention(bool console) {
+Intervention::Intervention(bool console, bool watch) {
+  if (watch) watch_.emplace();
   if (console)
     lines_.emplace("> ");
   else
@@ -17,13 +18,17 @@ Intervention::Intervention(bool console) {
 }
 
 void Intervention::add_to(SessionOptions& options) {
-  if (lines_) {
-    options.operator_input = [this](RunControl& control) { return answer_line(control); };
-    options.watch = &rows_;
-  } else if (keyboard_->there()) {
-    options.operator_input = [this](RunControl& control) { return obey_key(control); };
-    fmt::print(stderr, "{}\n", Keyboard::help);
-  }
+  options.reloadable = watch_.has_value();
+  if (lines_) options.watch = &rows_;
+  if (keyboard_ && keyboard_->there()) fmt::print(stderr, "{}\n", Keyboard::help);
+  if (lines_ || watch_ || keyboard_->there())
+    options.operator_input = [this](RunControl& control) { return look(control); };
+}
+
+bool Intervention::look(RunControl& control) {
+  const bool found = watch_ && watch_->look(control);
+  if (lines_) return answer_line(control) || found;
+  return obey_key(control) || found;
 }
 
 bool Intervention::obey_key(RunControl& control) {

@@ -6,6 +6,7 @@
 #include "cli/console.hpp"
 #include "cli/keyboard.hpp"
 #include "cli/line_input.hpp"
+#include "cli/source_watch.hpp"
 #include "framework/recording/row_snapshot.hpp"
 #include "framework/session.hpp"
 
@@ -14,7 +15,9 @@ namespace trocar::cli {
 /// How somebody intervenes while a graph runs in real time: by single keys, or line by line.
 class Intervention {
  public:
-  explicit Intervention(bool console);
+  /// @param console line by line
+  /// @param watch reload laws whose files are saved
+  Intervention(bool console, bool watch);
   Intervention(const Intervention&) = delete;
   Intervention& operator=(const Intervention&) = delete;
 
@@ -22,11 +25,13 @@ class Intervention {
   void add_to(SessionOptions& options);
 
  private:
+  bool look(RunControl& control);
   bool obey_key(RunControl& control);
   bool answer_line(RunControl& control);
 
   std::optional<Keyboard> keyboard_;
   std::optional<LineInput> lines_;
+  std::optional<SourceWatch> watch_;
   RowSnapshot rows_;
   Console console_{rows_};
 };

@@ -34,6 +34,7 @@ struct RunArguments {
   std::string black_box;
   std::string json;
   bool console = false;
+  bool watch = false;
 };
 
 /// A file that cannot be written is found before the run, and one that was there stays whole.
@@ -63,8 +64,13 @@ SessionOptions session_options(const RunArguments& arguments) {
 
 int run(const RunArguments& arguments) {
   if (!arguments.json.empty() && arguments.json != "-") check_writable(arguments.json);
-  if (arguments.console && arguments.clock != "realtime")
+  const bool simulated = arguments.clock == to_string(ClockKind::simulated);
+  if (arguments.console && simulated)
     throw CLI::ValidationError("--console", "needs --clock realtime: nobody types in virtual time");
+  if (arguments.watch && simulated)
+    throw CLI::ValidationError("--watch",
+                               "needs --clock realtime; `reloads` of trocar.run does the "
+                               "same in virtual time");
   Registry registry;
   register_components(registry);
   SessionOptions options = session_options(arguments);
@@ -75,7 +81,8 @@ int run(const RunArguments& arguments) {
   options.default_duration = default_simulated_duration;
   options.stop = &stop_on_interrupt();
   std::optional<Intervention> intervention;
-  if (options.clock != ClockKind::simulated) intervention.emplace(arguments.console).add_to(options);
+  if (options.clock != ClockKind::simulated)
+    intervention.emplace(arguments.console, arguments.watch).add_to(options);
   Session session(registry, options);
   int status = success;
   try {
@@ -118,6 +125,8 @@ void add_run(CLI::App& app, int& status) {
                    "Where the last 5 s before a fault are written, or off (default: beside the "
                    "log or after the script, NAME.blackbox-1.mcap)")
       ->type_name("FILE.mcap|off");
+  command->add_flag("--watch", arguments->watch,
+                    "Reload laws (LuaFixture, LuaComponent) whose files are saved");
   command->add_flag("--console", arguments->console,
                     "Type while it runs: names of signals and parameters, wall.stiffness = 3 N/mm, "
                     "help");

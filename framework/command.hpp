@@ -13,15 +13,27 @@
 
 namespace trocar {
 
+class ReloadTicket;
+
 /// What an operator or a script asks of a running graph; taken at the beginning of a tick.
 struct Command {
-  enum class Kind { set_parameter, engage, acknowledge, home, stop_rendering, end };
+  enum class Kind {
+    set_parameter,
+    engage,
+    acknowledge,
+    home,
+    stop_rendering,
+    end,
+    replace,  // what a ticket has made ready; where it has nothing, the refusal is reported
+    reload    // in virtual time: the ticket makes it ready first
+  };
   Kind kind = Kind::end;
   std::int64_t not_before = 0;  // tick
   // set_parameter: checked against unit and range by whoever sends it.
   ParameterBase* parameter = nullptr;
   const char* owner = "";  // component
   std::array<double, max_axes> target{};
+  ReloadTicket* ticket = nullptr;  // of replace and reload
 };
 
 /// What an operator asks of all threads of a run at once, at a time or now.

@@ -25,6 +25,12 @@ const char* to_string(Event::Kind kind) RT_SAFE {
       return "homing";
     case Event::Kind::homing_refused:
       return "homing refused";
+    case Event::Kind::reloaded:
+      return "reloaded";
+    case Event::Kind::reload_refused:
+      return "reload refused";
+    case Event::Kind::reload_undone:
+      return "reload undone";
     case Event::Kind::rows_missed:
       return "rows missed";
   }

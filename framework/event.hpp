@@ -21,7 +21,10 @@ struct Event {
     acknowledge_refused,
     homing,
     homing_refused,
-    rows_missed  // by who writes it down: `value` records before this one
+    reloaded,        // a part of a component was replaced by a new version
+    reload_refused,  // the new version did not reach the loop
+    reload_undone,   // it did, and was given up
+    rows_missed      // by who writes it down: `value` records before this one
   };
   Kind kind = Kind::started;
   std::int64_t tick = 0;

@@ -24,6 +24,9 @@ Executor::Executor(const RateGroup& group, ExecutorOptions options)
   const std::size_t count = group.schedule().size();
   for (const ScheduleItem& item : group.schedule())
     if (item.component->wants_slack()) in_slack_.push_back(item.component);
+  for (const ScheduleItem& item : group.schedule())
+    if (auto* part = dynamic_cast<Replaceable*>(item.component))
+      parts_.push_back({part, item.component->name().c_str()});
   times_.resize(count);
   statistics_.components.resize(count);
   if (options_.allocations != nullptr) statistics_.costs.resize(count);
@@ -92,8 +95,7 @@ void Executor::tick(const Slot& slot, bool simulated) RT_SAFE {
   if (options_.timing) {
     last_duration_ = (simulated ? end : monotonic_ns()) - begin;
     statistics_.duration.add(last_duration_);
-    if (options_.allocations != nullptr)
-      statistics_.tick_cost.add(tick.index, last_duration_, 0);
+    if (options_.allocations != nullptr) statistics_.tick_cost.add(tick.index, last_duration_, 0);
   }
   if (!in_slack_.empty()) use_slack();
 }
@@ -163,9 +165,9 @@ inline void Executor::move_ramps() RT_SAFE {
 inline void Executor::step_all(const Tick& tick, std::int64_t begin) RT_SAFE {
   if (!options_.timing) return stepper_.step(tick);
   const bool first = !std::exchange(edited_, false) && group_.arrivals().empty();
-  stepper_.step(tick, first ? begin : monotonic_ns(),
-                {times_, statistics_.components, !simulated_, options_.allocations,
-                 statistics_.costs});
+  stepper_.step(
+      tick, first ? begin : monotonic_ns(),
+      {times_, statistics_.components, !simulated_, options_.allocations, statistics_.costs});
 }
 
 void Executor::pass_gates(const Tick& tick) RT_SAFE {
@@ -186,6 +188,19 @@ inline void Executor::send_across(const Tick& tick) RT_SAFE {
 inline void Executor::report_changes(const Tick& tick) RT_SAFE {
   if (faults_reported_ < faults_.size()) report_faults();
   if (!gates_.empty()) report_gates(tick);
+  if (!parts_.empty()) report_reloads(tick);
+}
+
+void Executor::report_reloads(const Tick& tick) RT_SAFE {
+  for (const Part& one : parts_) {
+    Event event;
+    while (one.part->take_news(event)) {
+      event.tick = tick.index;
+      event.time_ns = tick.time_ns;
+      event.source = one.owner;
+      send(event);
+    }
+  }
 }
 
 void Executor::report_gates(const Tick& tick) RT_SAFE {

@@ -18,6 +18,7 @@
 #include "framework/realtime/stop_flag.hpp"
 #include "framework/realtime/timing_histogram.hpp"
 #include "framework/recording/row_layout.hpp"
+#include "framework/reloads.hpp"
 #include "framework/step_cost.hpp"
 #include "framework/stepper.hpp"
 
@@ -35,7 +36,7 @@ struct ExecutorOptions {
   StopFlag* end_all = nullptr;  // of all threads; raised when this one ends the run
   OverloadSettings overload{};
   AllocationCount allocations = nullptr;  // with timing: keep what steps and ticks cost
-  std::uint32_t index = 0;  // of the group: goes with each of its rows and events
+  std::uint32_t index = 0;                // of the group: goes with each of its rows and events
 };
 
 /// Figures of a run.
@@ -90,6 +91,8 @@ class Executor {
   void move_ramps() RT_SAFE;
   void obey(const Command& command, const Tick& tick) RT_SAFE;
   void acknowledge(Event event) RT_SAFE;
+  void replace(ReloadTicket& ticket, Event event) RT_SAFE;
+  void report_reloads(const Tick& tick) RT_SAFE;
   void step_all(const Tick& tick, std::int64_t begin) RT_SAFE;
   Tick tick_of(std::int64_t index) const RT_SAFE;
   void pass_gates(const Tick& tick) RT_SAFE;
@@ -111,7 +114,12 @@ class Executor {
   Stepper stepper_;
   Exchange exchange_;
   std::vector<Component*> in_slack_;  // those that have work for it
-  std::vector<std::int64_t> times_;   // [ns] of each component in this tick
+  struct Part {
+    Replaceable* part;
+    const char* owner;
+  };
+  std::vector<Part> parts_;          // that can be replaced
+  std::vector<std::int64_t> times_;  // [ns] of each component in this tick
   ParameterRamps ramps_;
   OverloadMonitor overload_;
   Heartbeat heartbeat_;

@@ -47,7 +47,22 @@ void Executor::obey(const Command& command, const Tick& tick) RT_SAFE {
     case Command::Kind::end:
       end();
       return;
+    case Command::Kind::reload:
+      command.ticket->prepare(tick.time);
+      replace(*command.ticket, event);
+      return;
+    case Command::Kind::replace:
+      replace(*command.ticket, event);
+      return;
   }
+}
+
+void Executor::replace(ReloadTicket& ticket, Event event) RT_SAFE {
+  if (ticket.ready()) return ticket.replace();
+  event.kind = Event::Kind::reload_refused;
+  event.source = ticket.owner();
+  event.detail = ticket.trouble();
+  send(event);
 }
 
 void Executor::acknowledge(Event event) RT_SAFE {

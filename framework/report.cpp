@@ -162,6 +162,13 @@ std::string faults_text(const RunResult& result) {
   return text;
 }
 
+std::string reloads_text(const RunResult& result) {
+  std::string text;
+  for (const ReloadVerdict& verdict : result.reloads)
+    text += fmt::format("  reload: {}\n", verdict.text());
+  return text;
+}
+
 std::string captures_text(const CaptureResult& captured) {
   std::string text;
   for (const TriggeredFile& file : captured.files)
@@ -180,7 +187,7 @@ std::string run_text(const SessionRun& run) {
              result.clock == ClockKind::simulated ? "virtual" : "real", result.wall_time,
              result.wall_time > 0.0 ? result.duration / result.wall_time : 0.0) +
          moments_text(run.highlights) + peaks_text(run.highlights) + threads_text(result) +
-         faults_text(result) + captures_text(run.captured);
+         faults_text(result) + reloads_text(result) + captures_text(run.captured);
 }
 
 /// One of several runs: a line, and what went wrong.
@@ -194,7 +201,7 @@ std::string short_run_text(const SessionRun& run, std::size_t number) {
   if (result.interrupted) text += ", stopped by the operator";
   const bool sound = result.faults.empty() && result.shortcomings.empty() && result.lost.empty() &&
                      result.missed.empty();
-  return text + (sound ? ", no faults\n" : "\n" + faults_text(result)) +
+  return text + (sound ? ", no faults\n" : "\n" + faults_text(result)) + reloads_text(result) +
          captures_text(run.captured);
 }
 

@@ -86,6 +86,16 @@ Json captured(const CaptureResult& all) {
   return list;
 }
 
+Json reloads(const RunResult& result) {
+  Json list = Json::array();
+  for (const ReloadVerdict& verdict : result.reloads)
+    list.push_back({{"component", verdict.component},
+                    {"file", verdict.file},
+                    {"time", verdict.time},
+                    {"trouble", verdict.trouble}});
+  return list;
+}
+
 Json run_json(const SessionRun& run) {
   const RunResult& result = run.result;
   Json threads = Json::array();
@@ -103,6 +113,7 @@ Json run_json(const SessionRun& run) {
   all.update({{"threads", threads},
               {"highlights", highlights(run.highlights)},
               {"faults", faults(result)},
+              {"reloads", reloads(result)},
               {"shortcomings", result.shortcomings},
               {"lost", result.lost},
               {"missed", missed(result)},

@@ -46,8 +46,8 @@ ThreadResult result_of(const Executor& executor) {
   const std::vector<StepCost> costs = std::exchange(result.loop.costs, {});
   result.components.reserve(times.size());  // 8 KiB each
   for (std::size_t i = 0; i < times.size(); ++i)
-    result.components.push_back({group.schedule()[i].component->name(), times[i],
-                                 costs.empty() ? StepCost{} : costs[i]});
+    result.components.push_back(
+        {group.schedule()[i].component->name(), times[i], costs.empty() ? StepCost{} : costs[i]});
   return result;
 }
 
@@ -141,6 +141,7 @@ std::string FaultRecord::text() const {
 RunResult run(const Graph& graph, const RunOptions& options) {
   WiringOptions wiring = options.wiring;
   wiring.virtual_time = options.clock == ClockKind::simulated;
+  wiring.reloadable = wiring.reloadable || !options.reloads.empty();
   const std::unique_ptr<WiredGraph> wired = wire(graph, wiring);
   const std::vector<RowLayout> layouts = layouts_of(*wired);
   std::vector<std::vector<Command>> commands = schedule_edits(options.edits, graph, *wired);
@@ -164,6 +165,19 @@ RunResult run(const Graph& graph, const RunOptions& options) {
       commands[i].push_back({.kind = request.kind,
                              .not_before = std::llround(request.at / wired->groups()[i].period())});
   std::deque<CommandQueue> queues(layouts.size());
+  Reloads reloads(*wired);
+  std::deque<Reload> to_come;  // in real time
+  for (const Reload& reload : options.reloads) {
+    if (!simulated) {
+      to_come.push_back(reload);
+      continue;
+    }
+    const Reloads::Issued issued = reloads.issue(reload);
+    const double period = wired->groups()[issued.group].period();
+    commands[issued.group].push_back({.kind = Command::Kind::reload,
+                                      .not_before = std::llround(reload.at / period),
+                                      .ticket = issued.ticket});
+  }
 
   StopFlag ended;
   std::deque<Executor> executors;
@@ -187,13 +201,17 @@ RunResult run(const Graph& graph, const RunOptions& options) {
   if (options.timing.hold_latency && !simulated) hold.emplace();
 
   RowPump pump(rings, sinks, layouts, *wired, simulated);
-  RunControl control(graph, options.wiring, *wired, queues);
+  RunControl control(graph, wiring, *wired, queues, reloads);
   std::optional<BackgroundPoller> operator_input;
-  if (options.operator_input && !simulated)
+  if ((options.operator_input || !to_come.empty()) && !simulated)
     operator_input.emplace(
         [&] {
           control.flush();
-          return options.operator_input(control);
+          while (!to_come.empty() && to_come.front().at <= control.time()) {
+            control.reload(to_come.front());
+            to_come.pop_front();
+          }
+          return options.operator_input && options.operator_input(control);
         },
         std::chrono::milliseconds(5));
   const std::int64_t begin = monotonic_ns();
@@ -217,6 +235,7 @@ RunResult run(const Graph& graph, const RunOptions& options) {
                      static_cast<double>(loop.ticks + loop.skipped) * executor.group().period());
   }
   result.faults = faults_of(executors);
+  result.reloads = reloads.verdicts();
   result.interrupted = options.stop != nullptr && options.stop->raised();
   result.wall_time = static_cast<double>(end - begin) * 1e-9;
   result.shortcomings = std::move(shortcomings);

@@ -35,6 +35,7 @@ struct RunOptions {
   WiringOptions wiring{};
   std::vector<Edit> edits{};
   std::vector<OperatorRequest> requests{};  // at their times
+  std::vector<Reload> reloads{};            // at their times; see WiringOptions::reloadable
   /// In real time, called some hundred times a second on a thread of its own, for somebody who
   /// watches and intervenes. @return whether there was something to do
   std::function<bool(RunControl&)> operator_input{};
@@ -83,6 +84,7 @@ struct RunResult {
   bool latency_held = false;
   bool interrupted = false;
   std::vector<FaultRecord> faults{};        // of all threads, by time
+  std::vector<ReloadVerdict> reloads{};     // in their order
   std::vector<std::string> shortcomings{};  // of the machine, for real time
   std::vector<std::string> lost{};          // readers of rows that gave up, and why
   std::vector<ReaderLoss> missed{};         // readers of rows that fell behind

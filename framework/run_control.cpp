@@ -5,6 +5,7 @@
 
 #include <unordered_map>
 
+#include "framework/clock.hpp"
 #include "framework/edit_schedule.hpp"
 #include "framework/text.hpp"
 
@@ -36,8 +37,14 @@ struct RunControl::Twin {
 };
 
 RunControl::RunControl(const Graph& graph, const WiringOptions& options, const WiredGraph& live,
-                       std::deque<CommandQueue>& queues)
-    : graph_(graph), options_(options), live_(live), queues_(queues), waiting_(queues.size()) {}
+                       std::deque<CommandQueue>& queues, Reloads& reloads)
+    : graph_(graph),
+      options_(options),
+      live_(live),
+      queues_(queues),
+      reloads_(reloads),
+      begin_ns_(monotonic_ns()),
+      waiting_(queues.size()) {}
 
 RunControl::~RunControl() = default;
 
@@ -64,6 +71,18 @@ void RunControl::set(const std::string& key, const Literal& value) {
       waiting_[group].push_back(command);
     }
   flush();
+}
+
+std::string RunControl::reload(Reload reload) {
+  const Reloads::Issued issued = reloads_.issue(std::move(reload));
+  issued.ticket->prepare(time());
+  waiting_[issued.group].push_back({.kind = Command::Kind::replace, .ticket = issued.ticket});
+  flush();
+  return issued.ticket->trouble();
+}
+
+double RunControl::time() const {
+  return 1e-9 * static_cast<double>(monotonic_ns() - begin_ns_);
 }
 
 std::string RunControl::text(const std::string& key) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/command.hpp"
+#include "framework/reloads.hpp"
 #include "framework/wired_graph.hpp"
 
 namespace trocar {
@@ -18,8 +19,9 @@ class RunControl {
  public:
   /// @param live the graph that runs
   /// @param queues one for each of its groups, of which this is the only writer
+  /// @param reloads of this run
   RunControl(const Graph& graph, const WiringOptions& options, const WiredGraph& live,
-             std::deque<CommandQueue>& queues);
+             std::deque<CommandQueue>& queues, Reloads& reloads);
   ~RunControl();
 
   /// Asks it of all threads.
@@ -34,6 +36,16 @@ class RunControl {
   std::string text(const std::string& key);
   /// Keys of parameters that set() takes.
   std::vector<std::string> live_keys();
+  /// Makes a new version of a component's part ready, tries it, and sends it to the loop.
+  /// @return why not, or ""; the loop may still give it up: see reload_troubles()
+  /// @throw std::invalid_argument for a component that has no such part
+  std::string reload(Reload reload);
+  /// Components with parts that can be reloaded, and their files.
+  std::vector<Reloads::Part> parts() const { return reloads_.parts(); }
+  /// Reloads that the loop has given up since the last call.
+  std::vector<ReloadVerdict> reload_troubles() { return reloads_.take_troubles(); }
+  /// [s] since it was made, before the loop began
+  double time() const;
   /// Hands over what waits. @return whether something still does
   bool flush();
 
@@ -45,6 +57,8 @@ class RunControl {
   const WiringOptions& options_;
   const WiredGraph& live_;
   std::deque<CommandQueue>& queues_;
+  Reloads& reloads_;
+  std::int64_t begin_ns_;
   std::vector<std::deque<Command>> waiting_;  // for each queue
   std::unique_ptr<Twin> twin_;
 };

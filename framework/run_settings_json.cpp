@@ -29,12 +29,16 @@ std::string run_settings_json(const RunOptions& options, const Graph::Overrides&
   Json requests = Json::array();
   for (const OperatorRequest& request : options.requests)
     requests.push_back({{"at", request.at}, {"ask", request_name(request.kind)}});
+  Json reloads = Json::array();
+  for (const Reload& reload : options.reloads)
+    reloads.push_back({{"at", reload.at}, {"component", reload.component}, {"file", reload.file}});
   const Json all = {{"rate", options.wiring.rate},
                     {"duration", options.duration ? Json(*options.duration) : Json()},
                     {"seed", options.wiring.seed},
                     {"set", settings(options.wiring.set)},
                     {"edits", edits},
                     {"requests", requests},
+                    {"reloads", reloads},
                     {"overrides", settings(overrides)}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace);
 }

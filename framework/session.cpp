@@ -103,6 +103,15 @@ std::vector<RowSink*> Session::begin_captures(const WiredGraph& wired) {
   return captures_.begin(run);
 }
 
+/// What took over, or was refused, under names of this run, for the same name may come twice.
+void Session::attach_reloads(const RunResult& result) {
+  for (std::size_t i = 0; i < result.reloads.size(); ++i) {
+    const ReloadVerdict& one = result.reloads[i];
+    log_->attach(fmt::format("run{}.reload{}.{}", runs_.size() + 1, i + 1, one.file), "text/x-lua",
+                 one.code);
+  }
+}
+
 const SessionRun& Session::run(RunOptions wanted) {
   wanted.clock = options_.clock;
   wanted.timing = options_.timing;
@@ -114,6 +123,7 @@ const SessionRun& Session::run(RunOptions wanted) {
   wanted.allocations = options_.allocations;
   wanted.stop = options_.stop;
   wanted.operator_input = options_.operator_input;
+  wanted.wiring.reloadable = options_.reloadable;
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);
   const std::unique_ptr<WiredGraph> wired = wire(graph_, wanted.wiring);  // before a log is begun
   if (const std::string wrong = check_spin(wanted, graph_);
@@ -140,6 +150,7 @@ const SessionRun& Session::run(RunOptions wanted) {
   wanted.sinks.insert(wanted.sinks.end(), captures.begin(), captures.end());
   if (options_.watch != nullptr) wanted.sinks.push_back(options_.watch);
   one->result = trocar::run(graph_, wanted);
+  if (log_) try_log([&] { attach_reloads(one->result); });
   one->captured = captures_.end();
   for (const std::string& message : one->captured.troubles) trouble(message);
   runs_.push_back(std::move(one));

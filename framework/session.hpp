@@ -28,9 +28,10 @@ struct SessionOptions {
   bool check_only = false;                     // stop at the first run
   bool write_files = true;                     // logs and captures that the script asks for
   bool print_to_stderr = false;                // what the script prints
-  AllocationCount allocations = nullptr;  // see RunOptions
+  AllocationCount allocations = nullptr;       // see RunOptions
   const StopFlag* stop = nullptr;
   std::function<bool(RunControl&)> operator_input{};  // see RunOptions
+  bool reloadable = false;                            // laws may be reloaded by operator_input
   RowSink* watch = nullptr;                           // of every run
 };
 
@@ -79,6 +80,7 @@ class Session {
 
  private:
   void open_log(const WiredGraph* wired);
+  void attach_reloads(const RunResult& result);
   std::string wanted_log() const;
   std::vector<RowSink*> begin_captures(const WiredGraph& wired);
   std::string stem() const;

@@ -19,6 +19,7 @@ struct Setup {
   double period = 1e-3;       // [s] between two of its steps
   std::uint64_t seed = 0;     // its own: differs between components, the same in every run
   bool virtual_time = false;  // nothing may depend on a clock
+  bool reloadable = false;    // parts of it may be replaced while it runs
 };
 
 }  // namespace trocar

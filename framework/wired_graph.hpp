@@ -18,6 +18,7 @@ struct WiringOptions {
   std::uint64_t seed = 1;     // of everything random
   Graph::Overrides set{};     // for this run only; win over the script's values
   bool virtual_time = false;  // no component may look at a clock
+  bool reloadable = false;    // laws may be replaced while they run
 };
 
 /// A graph whose components exist, are wired, checked, ordered and configured: ready to run once.

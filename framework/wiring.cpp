@@ -271,7 +271,8 @@ void Wiring::configure() {
     try {
       component.configure({.period = group.period() * divider,
                            .seed = seed_for(options_.seed, component.name()),
-                           .virtual_time = options_.virtual_time});
+                           .virtual_time = options_.virtual_time,
+                           .reloadable = options_.reloadable});
     } catch (const std::invalid_argument& error) {
       findings_.add(where_of(id), fmt::format("{}: {}", component.name(), error.what()));
       for (const NodeId next : feeds[id]) unsound[next] = true;

@@ -95,7 +95,7 @@ bool is_law(const std::string& type) {
 
 namespace {
 
-int construct_closure(lua_State* state) {
+int construct_law_closure(lua_State* state) {
   return construct_law(state, lua_tostring(state, lua_upvalueindex(1)));
 }
 
@@ -104,7 +104,7 @@ int construct_closure(lua_State* state) {
 void open_laws(lua_State* state) {
   for (const LawConstructor& one : constructors) {
     lua_pushstring(state, one.name);
-    lua_pushcclosure(state, guarded<construct_closure>, 1);
+    lua_pushcclosure(state, guarded<construct_law_closure>, 1);
     lua_setfield(state, -2, one.name);
   }
 }

@@ -172,6 +172,23 @@ int value_at(lua_State* state) {
   return 1;
 }
 
+/// A list of { component, file, time, trouble }.
+void push_reloads(lua_State* state, const RunResult& result) {
+  lua_newtable(state);
+  for (std::size_t i = 0; i < result.reloads.size(); ++i) {
+    const ReloadVerdict& one = result.reloads[i];
+    lua_newtable(state);
+    for (const auto& [name, text] :
+         {std::pair{"component", &one.component}, {"file", &one.file}, {"trouble", &one.trouble}}) {
+      lua_pushstring(state, text->c_str());
+      lua_setfield(state, -2, name);
+    }
+    lua_pushnumber(state, one.time);
+    lua_setfield(state, -2, "time");
+    lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
 /// Whoever looks at the faults has seen them.
 void push_faults(lua_State* state, const RunResult& result) {
   context(state).faults_looked_at.insert(&result);
@@ -197,14 +214,16 @@ int result_index(lua_State* state) {
     lua_pushnumber(state, result.main().rate);
   } else if (name == "faults") {
     push_faults(state, result);
+  } else if (name == "reloads") {
+    push_reloads(state, result);
   } else if (name.find('.') != std::string::npos) {
     columns(*result.rows, name);  // that it is there
     push(state, SignalRef{run, name});
   } else {
     return luaL_error(
         state, "a run has no \"%s\"%s", name.c_str(),
-        suggestion(name, {"duration", "ticks", "rate", "faults", "fit", "drift", "mean", "rms",
-                          "min", "max", "first", "last", "at", "samples", "discard"})
+        suggestion(name, {"duration", "ticks", "rate", "faults", "reloads", "fit", "drift", "mean",
+                          "rms", "min", "max", "first", "last", "at", "samples", "discard"})
             .c_str());
   }
   return 1;

@@ -55,11 +55,24 @@ int publish(lua_State* state) {
   return 0;
 }
 
+/// The file that a reload names.
+void read_law_text(lua_State* state, Reload& reload) {
+  const std::string path = (context(state).folder / reload.file).string();
+  auto text = read_file(path);
+  if (!text)
+    throw std::invalid_argument(
+        fmt::format("reloads.{} = \"{}\": there is no file {} that can be read", reload.component,
+                    reload.file, path));
+  reload.path = path;
+  reload.text = std::move(*text);
+}
+
 }  // namespace
 
 RunOptions run_options_at(lua_State* state, int index, RunOptions base) {
   const int table = lua_absindex(state, index);
   RunOptions options = read_run_options(to_literal(state, table), where(state), std::move(base));
+  for (Reload& reload : options.reloads) read_law_text(state, reload);
   if (lua_getfield(state, table, "keep") == LUA_TTABLE) {
     options.keep.clear();
     for (lua_Integer i = 1; lua_rawgeti(state, -1, i) != LUA_TNIL; ++i) {

@@ -34,6 +34,8 @@ class AnyInput final : public InputPort {
            const PortOptions& options)
       : InputPort(owner, name, &type, options, false), initial_(type), value_(initial_.bytes()) {}
   const std::byte* value() const { return value_; }
+  /// What it reads while nothing is connected.
+  std::byte* own() { return initial_.bytes(); }
 
  private:
   void attach(const std::byte* value) override { value_ = value; }

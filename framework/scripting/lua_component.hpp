@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "framework/registry.hpp"
+#include "framework/scripting/law_change.hpp"
+#include "framework/scripting/law_history.hpp"
 #include "framework/scripting/law_ports.hpp"
 #include "framework/scripting/lua_law.hpp"
 
@@ -17,7 +19,7 @@ namespace trocar::lua {
 /// The step runs under a guard. When it fails or is late, none of its outputs is written, the fault
 /// with file and line latches, and a force that it renders at a site may only resist from then on;
 /// nobody else's tick is touched.
-class LuaComponent final : public Component {
+class LuaComponent final : public Component, public Replaceable {
  public:
   explicit LuaComponent(std::shared_ptr<const LawFile> file);
 
@@ -32,8 +34,21 @@ class LuaComponent final : public Component {
   bool wants_duration() const override { return true; }
   void take_duration(std::int64_t ns) RT_SAFE override { *time_ = static_cast<double>(ns) * 1e-9; }
 
+  const std::string& source() const override { return file_->path; }
+  std::unique_ptr<Replacement> prepare(const Reload& reload) override;
+  void replace(Replacement& next) RT_SAFE override;
+  bool take_news(Event& news) RT_SAFE override { return change_.take_news(news); }
+
  private:
-  LoopLimits limits(const Setup& setup) const;
+  LoopLimits limits() const;
+  LawMemory ports();
+  void begin_history();
+  void remember(const Tick& tick) RT_SAFE;
+  // Of another version that is made ready:
+  std::vector<ParameterBase*> same_parameters(const LuaComponent& next) const;
+  void copy_settings(const LuaComponent& other);
+  void recall(const LawHistory::Step& step, const std::vector<ParameterBase*>& before);
+  void try_on(const std::vector<LawHistory::Step>& steps, const LuaComponent& other);
 
   std::shared_ptr<const LawFile> file_;
   std::deque<AnyInput> inputs_;
@@ -60,12 +75,25 @@ class LuaComponent final : public Component {
   Parameter<bool> strict_{
       this, "strict", {.initial = "false", .doc = "a step that allocates memory is an error"}};
 
+  Parameter<double> reload_limit_{this,
+                                  "reload_limit",
+                                  {.unit = "N",
+                                   .initial = "2 N",
+                                   .min = "0 N",
+                                   .max = "100 N",
+                                   .doc = "that a reload may change a force by; it is ramped"}};
+
   Output<double> time_{this, "script.time", {.unit = "s", .doc = "of its step; 0 in virtual time"}};
   Output<std::int64_t> allocations_{
       this, "script.allocations", {.doc = "of its last step, from the script's own memory"}};
   Output<std::int64_t> held_{this, "script.memory", {.doc = "bytes that the script holds"}};
 
-  std::unique_ptr<LuaLaw> law_;
+  Setup setup_;
+  std::unique_ptr<LawVersion> first_;
+  LawChange change_;
+  std::optional<LawHistory> history_;
+  LawState::Numbers remembered_state_{};
+  std::vector<std::string> state_names_;  // of all versions; not the loop's
 };
 
 /// The type of the components that a file makes.

@@ -66,6 +66,7 @@ void LuaLaw::load() {
   lua_remove(state, definition);
   state_.set_spare_line(file_.step_line);
   lua_checkstack(state, 300);
+  kept_ = LawState(state, state_index);
   for (const LawNumber& number : shim_->outputs)
     outputs_.push_back({number.kind, memory_.outputs[number.port] + number.offset, 0.0, 0});
   for (const LawNumber& number : shim_->inputs)
@@ -158,14 +159,13 @@ void LuaLaw::push_other(const Input& input) RT_SAFE {
         state, load_as<std::int64_t>(input.at) + (input.kind == LawNumber::Kind::label ? 1 : 0));
 }
 
-bool LuaLaw::step(const Tick& tick) RT_SAFE {
+bool LuaLaw::evaluate(const Tick& tick) RT_SAFE {
   follow_parameters();
   lua_pushvalue(state_.lua(), shim_index);
   const int arguments = push_arguments(tick);
   if (!state_.call(arguments, static_cast<int>(outputs_.size()))) return false;
   const bool right = read_outputs();
   lua_settop(state_.lua(), state_index);
-  if (right) commit();
   return right;
 }
 
@@ -244,21 +244,40 @@ void LuaLaw::refuse(const LawNumber& number, int index) RT_SAFE {
   state_.set_error(0, message);
 }
 
-void LuaLaw::commit() RT_SAFE {
-  for (const Value& value : outputs_) switch (value.kind) {
-      case LawNumber::Kind::real:
-        std::memcpy(value.at, &value.real, sizeof value.real);
-        break;
-      case LawNumber::Kind::boolean: {
-        const bool flag = value.whole != 0;
-        std::memcpy(value.at, &flag, sizeof flag);
-        break;
-      }
-      case LawNumber::Kind::integer:
-      case LawNumber::Kind::label:
-        std::memcpy(value.at, &value.whole, sizeof value.whole);
-        break;
+void LuaLaw::follow(const std::vector<ParameterBase*>& parameters) {
+  memory_.parameters = parameters;
+  std::size_t at = 0;
+  for (ParameterBase* parameter : parameters)
+    for (const double& number : parameter->numbers()) {
+      known_[at].now = &number;
+      known_[at++].parameter = parameter;
     }
+}
+
+void LuaLaw::commit() RT_SAFE {
+  for (const Value& value : outputs_) write(value, value.real);
+}
+
+void LuaLaw::commit(const OutputRamp& ramp) RT_SAFE {
+  for (std::size_t i = 0; i < outputs_.size(); ++i)
+    write(outputs_[i], outputs_[i].real + ramp.add(i));
+}
+
+inline void LuaLaw::write(const Value& value, double real) RT_SAFE {
+  switch (value.kind) {
+    case LawNumber::Kind::real:
+      std::memcpy(value.at, &real, sizeof real);
+      break;
+    case LawNumber::Kind::boolean: {
+      const bool flag = value.whole != 0;
+      std::memcpy(value.at, &flag, sizeof flag);
+      break;
+    }
+    case LawNumber::Kind::integer:
+    case LawNumber::Kind::label:
+      std::memcpy(value.at, &value.whole, sizeof value.whole);
+      break;
+  }
 }
 
 }  // namespace trocar::lua

@@ -7,7 +7,9 @@
 
 #include "framework/scripting/law_file.hpp"
 #include "framework/scripting/law_shim.hpp"
+#include "framework/scripting/law_state.hpp"
 #include "framework/scripting/loop_state.hpp"
+#include "framework/scripting/output_ramp.hpp"
 #include "framework/tick.hpp"
 
 namespace trocar::lua {
@@ -22,16 +24,37 @@ struct LawMemory {
 /// A law ready to step: its file, compiled in a Lua state of its own, and bound to the memory of a
 /// component. It can be built aside, while another one steps.
 ///
-/// A step reads inputs and parameters, calls the script, and writes the outputs when all of them
-/// are right and in time; else it writes none. It allocates nothing but what the script does, from
-/// the law's own pool; only the way out of an error takes memory (a C++ exception), once.
+/// A step has two halves: evaluate() reads inputs and parameters, calls the script, and keeps what
+/// it says when all of it is right and in time; commit() writes the outputs. It allocates nothing
+/// but what the script does, from the law's own pool; only the way out of an error takes memory (a
+/// C++ exception), once.
 class LuaLaw {
  public:
   /// @throw std::invalid_argument with the reason, where it cannot be
   LuaLaw(const LawFile& file, const LoopLimits& limits, std::uint64_t seed, LawMemory memory);
 
   /// @return false where the step failed: error() says why. It is not to be called again.
-  bool step(const Tick& tick) RT_SAFE;
+  bool evaluate(const Tick& tick) RT_SAFE;
+  /// Writes what evaluate() found.
+  void commit() RT_SAFE;
+  /// The same, with a ramp's numbers added.
+  void commit(const OutputRamp& ramp) RT_SAFE;
+  /// Both halves. @return false where the step failed, and nothing was written
+  bool step(const Tick& tick) RT_SAFE {
+    const bool right = evaluate(tick);
+    if (right) commit();
+    return right;
+  }
+
+  /// A number of its outputs, as evaluate() found it; 0 for those that are not real.
+  double found(std::size_t number) const RT_SAFE { return outputs_[number].real; }
+  const std::vector<LawNumber>& output_numbers() const { return shim_->outputs; }
+  /// Its script's state.
+  const LawState& kept() const RT_SAFE { return kept_; }
+  /// With other versions, on where the numbers of the state stand.
+  void agree(std::vector<std::string>& state_names) { kept_.agree(state_names); }
+  /// From now on parameters are read there: the same ones, of another component.
+  void follow(const std::vector<ParameterBase*>& parameters);
   /// What is left to do when there is time: a part of the collector's work.
   void use_slack() RT_SAFE { state_.collect(); }
 
@@ -68,7 +91,7 @@ class LuaLaw {
   bool read_outputs() RT_SAFE;
   bool read_other(Value& value, int index) RT_SAFE;
   void refuse(const LawNumber& number, int index) RT_SAFE;
-  void commit() RT_SAFE;
+  static void write(const Value& value, double real) RT_SAFE;
 
   const LawFile& file_;
   LawMemory memory_;
@@ -77,6 +100,7 @@ class LuaLaw {
   std::vector<Input> inputs_;
   std::vector<Value> outputs_;
   std::vector<Known> known_;
+  LawState kept_;
 };
 
 }  // namespace trocar::lua

@@ -57,6 +57,28 @@ void read_edits(const Literal& literal, const Where& at, RunOptions& options) {
   }
 }
 
+void read_reloads(const Literal& literal, RunOptions& options) {
+  const auto* list = literal.as<Literal::List>();
+  if (list == nullptr)
+    throw std::invalid_argument(
+        "reloads: needs a list, e.g. { { at = \"1 s\", membrane = \"membrane_2.lua\" } }");
+  for (const Literal& one : *list) {
+    double time = std::nan("");
+    for (const auto& [key, value] : table_of(one, "reloads"))
+      if (key == "at") time = quantity(value, "s", "reloads.at");
+    if (!(time >= 0.0 && time < 1e7))
+      throw std::invalid_argument("reloads: each needs at = \"1 s\" or the like");
+    for (const auto& [key, value] : table_of(one, "reloads")) {
+      if (key == "at") continue;
+      const auto* file = value.as<std::string>();
+      if (file == nullptr)
+        throw std::invalid_argument(
+            fmt::format("reloads.{} = {}: needs a file beside the script", key, value.text()));
+      options.reloads.push_back({.at = time, .component = key, .file = *file});
+    }
+  }
+}
+
 Command::Kind request_kind(const Literal& literal) {
   const auto* text = literal.as<std::string>();
   if (const auto kind = text == nullptr ? std::nullopt : request_named(*text)) return *kind;
@@ -114,6 +136,8 @@ RunOptions read_run_options(const Literal& literal, const Where& at, RunOptions 
         options.wiring.set.insert_or_assign(name, Graph::Override{setting, at});
     } else if (key == "edits") {
       read_edits(value, at, options);
+    } else if (key == "reloads") {
+      read_reloads(value, options);
     } else if (key == "keep") {
       continue;  // outputs are no literals: trocar.run reads them itself
     } else if (key == "requests") {
@@ -121,7 +145,8 @@ RunOptions read_run_options(const Literal& literal, const Where& at, RunOptions 
     } else {
       throw std::invalid_argument(fmt::format(
           "trocar.run has no \"{}\"{}", key,
-          suggestion(key, {"rate", "duration", "seed", "set", "edits", "requests", "keep"})));
+          suggestion(key,
+                     {"rate", "duration", "seed", "set", "edits", "requests", "reloads", "keep"})));
     }
   }
   return options;

@@ -126,3 +126,14 @@ describe("11_sweep", function()
     end
   end)
 end)
+
+describe("12_reload", function()
+  it("takes one version over, and refuses the other", function()
+    local run = trocar.experiment("12_reload.lua").runs[1]
+    expect(run.faults):empty()
+    expect(#run.reloads):equals(2)
+    expect(run.reloads[1].trouble):equals("")
+    expect(run.reloads[2].trouble):contains("the output \"distance\" has gone")
+    expect(run["groove.force.x"]):within("-0.8 N", "0.2 N")
+  end)
+end)

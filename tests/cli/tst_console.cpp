@@ -28,7 +28,8 @@ struct ConsoleRig {
   WiringOptions options{};
   std::unique_ptr<WiredGraph> live = wire(rig.graph, options);
   std::deque<CommandQueue> queues = std::deque<CommandQueue>(1);
-  RunControl control{rig.graph, options, *live, queues};
+  Reloads reloads{*live};
+  RunControl control{rig.graph, options, *live, queues, reloads};
   cli::Console console{rows};
 };
 

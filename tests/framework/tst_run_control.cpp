@@ -18,7 +18,8 @@ struct ControlRig {
   WiringOptions options{};
   std::unique_ptr<WiredGraph> live = wire(rig.graph, options);
   std::deque<CommandQueue> queues = std::deque<CommandQueue>(1);
-  RunControl control{rig.graph, options, *live, queues};
+  Reloads reloads{*live};
+  RunControl control{rig.graph, options, *live, queues, reloads};
 
   ParameterBase* gain() {
     for (ParameterBase* parameter : live->find("meter")->parameters())
