@@ -15,8 +15,8 @@
 
 #include "framework/clock.hpp"
 #include "framework/realtime/loop_thread.hpp"
+#include "framework/scripting/law_change.hpp"
 #include "framework/scripting/law_ports.hpp"
-#include "framework/scripting/lua_law.hpp"
 
 using namespace trocar;
 using namespace trocar::lua;
@@ -56,9 +56,12 @@ struct Motion {
   }
 };
 
-/// A law with memory for its ports.
+/// A law with memory for its ports, stepped as its component does.
 struct Bound {
-  Bound(const LawFile& file, const LoopLimits& limits) : law(file, limits, 1, memory_of(file)) {}
+  Bound(const std::shared_ptr<const LawFile>& file, const LoopLimits& limits)
+      : version(file, std::make_unique<LuaLaw>(*file, limits, 1, memory_of(*file))) {
+    change.begin(version, {});
+  }
   LawMemory memory_of(const LawFile& file) {
     for (const DeclaredParameter& each : file.parameters) declared.declare(owner, each);
     return {.inputs = {reinterpret_cast<std::byte*>(&motion.position),
@@ -68,8 +71,8 @@ struct Bound {
   }
   void step(int tick) {
     motion.at(tick);
-    if (!law.step({tick, tick * 1'000'000ll, tick * 1e-3, 1e-3})) {
-      fmt::print(stderr, "{}\n", law.error());
+    if (!change.step({tick, tick * 1'000'000ll, tick * 1e-3, 1e-3})) {
+      fmt::print(stderr, "{}\n", change.law().error());
       std::exit(1);
     }
   }
@@ -78,7 +81,8 @@ struct Bound {
   double depth = 0.0;
   ParameterSet owner;
   DeclaredParameters declared;
-  LuaLaw law;
+  LawVersion version;
+  LawChange change;
 };
 
 /// The same by hand.
@@ -130,8 +134,8 @@ int main(int argc, char** argv) {
     return 1;
   }
   Raw raw;
-  Bound bare(*file, {.guarded = false});
-  Bound guarded(*file, {.deadline_ns = 200'000'000});
+  Bound bare(file, {.guarded = false});
+  Bound guarded(file, {.deadline_ns = 200'000'000});
   std::vector<double> of_raw, of_bare, of_guarded, single;
   single.reserve(static_cast<std::size_t>(ticks));
   for (int first = 0; first < ticks; first += block) {
@@ -147,7 +151,7 @@ int main(int argc, char** argv) {
       const std::int64_t begin = monotonic_ns();
       guarded.step(tick);
       single.push_back(static_cast<double>(monotonic_ns() - begin));
-      allocations += guarded.law.allocations();
+      allocations += guarded.change.law().allocations();
     }
     heap = mallinfo2().uordblks - before;
   });
