@@ -22,6 +22,8 @@ void add_bench(CLI::App& app, int& status);
 void add_check(CLI::App& app, int& status, AllocationCount allocations);
 void add_completion(CLI::App& app, int& status);
 void add_describe(CLI::App& app, int& status);
+void add_devices(CLI::App& app, int& status);
+void add_doctor(CLI::App& app, int& status);
 void add_emulate(CLI::App& app, int& status);
 void add_graph(CLI::App& app, int& status);
 void add_info(CLI::App& app, int& status);

@@ -20,6 +20,8 @@ int run(int argc, char** argv) {
   add_list(app, status);
   add_describe(app, status);
   add_info(app, status);
+  add_devices(app, status);
+  add_doctor(app, status);
   add_emulate(app, status);
   add_kinematics(app, status);
   add_workspace(app, status);

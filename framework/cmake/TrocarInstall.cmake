@@ -24,6 +24,7 @@ install(FILES framework/scripting/script.hpp framework/scripting/spec.hpp
   DESTINATION ${trocar_include_dir}/framework/scripting)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/trocar PATTERN scripts/dev EXCLUDE)
+install(FILES components/devices/hid/70-trocar.rules DESTINATION lib/udev/rules.d)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${trocar_doc_dir})
 install(FILES README.md CHANGELOG.md LICENSE framework/cmake/copyright DESTINATION ${trocar_doc_dir})
 

@@ -27,6 +27,8 @@ class TestUsage : public QObject {
     row("of completion", {"completion", "--help"}, 0, "source <(trocar completion bash)", "");
     row("names alone", {"list", "--names"}, 0, "\nWall\n", "");
     row("of describe", {"describe", "--help"}, 0, "Example:\n  trocar describe Wall", "");
+    row("of devices", {"devices", "--help"}, 0, "Example:\n  trocar devices", "");
+    row("of doctor", {"doctor", "--help"}, 0, "Example:\n  trocar doctor", "");
     row("of stubs", {"stubs", "--help"}, 0, "Example:\n  trocar stubs wall.lua", "");
     row("of info", {"info", "--help"}, 0, "Example:\n  trocar info demo.mcap", "");
     row("of bench", {"bench", "--help"}, 0, "Example:\n  trocar bench --rates", "");

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "components/devices/hid/hidapi_lock.hpp"
+#include "components/devices/hid/udev_rule.hpp"
 
 namespace trocar::hid {
 
@@ -51,9 +52,8 @@ std::string opening_failed(const AttachedDevice& device, int error) {
     return fmt::format(
         "{}: write this line into /etc/udev/rules.d/70-trocar.rules, then run "
         "\"sudo udevadm control --reload && sudo udevadm trigger\":\n"
-        "  KERNEL==\"hidraw*\", KERNELS==\"*:{:04X}:{:04X}.*\", MODE=\"0660\", "
-        "GROUP=\"plugdev\", TAG+=\"uaccess\"",
-        what, device.vendor, device.product);
+        "  {}",
+        what, udev_rule(device.vendor, device.product));
   if (error == EWOULDBLOCK)
     return fmt::format("{} is in use: by another trocar, or twice in this script; give each {}",
                        device.text(), "device its own serial");
