@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "framework/clock.hpp"
 
@@ -34,8 +35,16 @@ bool SourceWatch::look(RunControl& control) {
   const std::int64_t now = monotonic_ns();
   if (now < next_ns_) return found;
   next_ns_ = now + interval_ns;
-  for (const Reloads::Part& part : control.parts()) found = reload(part, control) || found;
+  const std::vector<Reloads::Part> parts = control.parts();
+  for (const Reloads::Part& part : parts) found = reload(part, control) || found;
+  if (!std::exchange(told_, true)) tell_what_is_watched(parts);
   return found;
+}
+
+void SourceWatch::tell_what_is_watched(const std::vector<Reloads::Part>& parts) {
+  if (parts.empty()) tell("--watch: no component's law comes from a file");
+  for (const Reloads::Part& part : parts)
+    tell(fmt::format("{}: reloads {} when it is saved", part.component, part.file));
 }
 
 bool SourceWatch::reload(const Reloads::Part& part, RunControl& control) {

@@ -17,11 +17,13 @@ class SourceWatch {
   bool look(RunControl& control);
 
  private:
+  void tell_what_is_watched(const std::vector<Reloads::Part>& parts);
   void tell(const std::string& text) const;
   bool reload(const Reloads::Part& part, RunControl& control);
 
   std::map<std::string, std::filesystem::file_time_type> seen_;  // by the component's name
   std::int64_t next_ns_ = 0;
+  bool told_ = false;  // what is watched
 };
 
 }  // namespace trocar::cli
