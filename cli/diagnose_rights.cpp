@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <pthread.h>
 #include <pwd.h>
 #include <sched.h>
 #include <sys/mman.h>
@@ -10,7 +9,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <thread>
 
 #include "cli/diagnosis.hpp"
 
@@ -39,12 +37,12 @@ std::string limit_text(decltype(RLIMIT_RTPRIO) which) {
 }
 
 Diagnosis priority() {
-  int error = 0;
-  std::thread([&] {
-    sched_param param{};
-    param.sched_priority = wanted_priority;
-    error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
-  }).join();
+  sched_param before{}, wanted{};
+  sched_getparam(0, &before);
+  const int policy = sched_getscheduler(0);
+  wanted.sched_priority = wanted_priority;
+  const int error = sched_setscheduler(0, SCHED_FIFO, &wanted) == 0 ? 0 : errno;
+  if (error == 0) sched_setscheduler(0, policy, &before);
   if (error == 0)
     return {"rtprio", Level::good, fmt::format("real-time priority {} is allowed", wanted_priority),
             ""};

@@ -12,7 +12,7 @@ namespace trocar {
 
 std::string ReloadVerdict::text() const {
   return trouble.empty() ? fmt::format("{} took over in {} at {:.3f} s", file, component, time)
-                         : fmt::format("{} did not take over in {} at {:.3f} s: {}", file,
+                         : fmt::format("{} did not take over in {} at {:.3f} s:\n    {}", file,
                                        component, time, trouble);
 }
 

@@ -26,7 +26,8 @@ trocar.publish("force", { former = run:at(groove.force.x, "0.9 s"), wide = run:a
 -- Two verdicts, and the force in x before and after the first of them:
 -->   no faults
 -->   reload: fixtures/groove_wide.lua took over in groove at 1.000 s
--->   reload: fixtures/ratchet.lua did not take over in groove at 2.000 s: ratchet.lua: the output "distance" has gone or changed, but is wired: end the run, and begin anew
+-->   reload: fixtures/ratchet.lua did not take over in groove at 2.000 s:
+-->     ratchet.lua: the output "distance" has gone or changed, but is wired: end the run, and begin anew
 --> force
 -->   former      wide
 -->   -0.0914535  -0.370644
