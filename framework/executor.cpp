@@ -128,11 +128,19 @@ void Executor::react_to(const Overload& overload, const Tick& tick) RT_SAFE {
                      .time_ns = tick.time_ns});
 }
 
+/// Whose step took most of a silence: that of a component in the tick before, or nobody's here.
+const char* Executor::who_was_silent(std::int64_t silent_ns) const RT_SAFE {
+  const auto longest = std::max_element(times_.begin(), times_.end());
+  if (longest == times_.end() || 2 * *longest < silent_ns) return group_.name().c_str();
+  const auto at = static_cast<std::size_t>(longest - times_.begin());
+  return group_.schedule()[at].component->name().c_str();
+}
+
 /// The supervisor has told the devices by now; this is what the loop makes of it afterwards.
 void Executor::judge_silence(const Tick& tick, std::int64_t silent_ns) RT_SAFE {
   if (overload_.in_grace(tick.index) || overload_policy() == OverloadPolicy::ignore) return;
   give_up_rendering({.cause = FaultCause::loop_stalled,
-                     .component = group_.name().c_str(),
+                     .component = who_was_silent(silent_ns),
                      .detail = "no tick began for so long [s]",
                      .value = static_cast<double>(silent_ns) * 1e-9,
                      .limit = static_cast<double>(heartbeat_patience(group_.period_ns())) * 1e-9,

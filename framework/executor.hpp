@@ -85,6 +85,7 @@ class Executor {
  private:
   void judge_time(const Tick& tick, const Slot& slot) RT_SAFE;
   void react_to(const Overload& overload, const Tick& tick) RT_SAFE;
+  const char* who_was_silent(std::int64_t silent_ns) const RT_SAFE;
   void judge_silence(const Tick& tick, std::int64_t silent_ns) RT_SAFE;
   void give_up_rendering(const Fault& fault) RT_SAFE;
   void take_commands(const Tick& tick) RT_SAFE;

@@ -12,6 +12,7 @@
 namespace trocar {
 namespace {
 
+constexpr std::size_t most_runs_listed = 20;
 constexpr std::size_t widest = 80;  // [columns] of a terminal
 constexpr std::size_t number_width = 8;
 
@@ -190,6 +191,12 @@ std::string run_text(const SessionRun& run) {
          faults_text(result) + reloads_text(result) + captures_text(run.captured);
 }
 
+/// Nothing of it needs a line of its own.
+bool was_quiet(const RunResult& result) {
+  return result.faults.empty() && result.shortcomings.empty() && result.lost.empty() &&
+         result.missed.empty();
+}
+
 /// One of several runs: a line, and what went wrong.
 std::string short_run_text(const SessionRun& run, std::size_t number) {
   const RunResult& result = run.result;
@@ -199,10 +206,29 @@ std::string short_run_text(const SessionRun& run, std::size_t number) {
     if (one.is_force)
       text += fmt::format(", {} up to {:.2f} N", one.name.substr(0, one.name.rfind('.')), one.peak);
   if (result.interrupted) text += ", stopped by the operator";
-  const bool sound = result.faults.empty() && result.shortcomings.empty() && result.lost.empty() &&
-                     result.missed.empty();
-  return text + (sound ? ", no faults\n" : "\n" + faults_text(result)) + reloads_text(result) +
-         captures_text(run.captured);
+  return text + (was_quiet(result) ? ", no faults\n" : "\n" + faults_text(result)) +
+         reloads_text(result) + captures_text(run.captured);
+}
+
+/// What they took together, and lines for those in which something happened.
+std::string many_runs_text(const Session& session) {
+  double duration = 0.0, wall_time = 0.0;
+  std::size_t with_faults = 0;
+  std::string lines;
+  for (std::size_t i = 0; i < session.runs().size(); ++i) {
+    const SessionRun& run = *session.runs()[i];
+    const RunResult& result = run.result;
+    duration += result.duration;
+    wall_time += result.wall_time;
+    with_faults += result.faults.empty() ? 0 : 1;
+    if (!was_quiet(result) || result.interrupted || !result.reloads.empty() ||
+        !run.captured.files.empty() || !run.captured.notes.empty())
+      lines += short_run_text(run, i + 1);
+  }
+  return fmt::format(
+      "{} runs: {:.1f} s of {} time in {:.1f} s, {}\n{}", session.runs().size(), duration,
+      session.runs().front()->result.clock == ClockKind::simulated ? "virtual" : "real", wall_time,
+      with_faults == 0 ? "no faults" : fmt::format("{} with faults", with_faults), lines);
 }
 
 std::string cell_text(const Literal& value) {
@@ -280,9 +306,11 @@ std::string report_text(const Session& session) {
   std::int64_t rows = 0;
   std::int64_t lost = 0;
   std::int64_t missed = 0;  // by the recorder
+  const bool many = session.runs().size() > most_runs_listed;
+  if (many) text += many_runs_text(session);
   for (std::size_t i = 0; i < session.runs().size(); ++i) {
     const SessionRun& run = *session.runs()[i];
-    text += session.runs().size() > 1 ? short_run_text(run, i + 1) : run_text(run);
+    if (!many) text += session.runs().size() > 1 ? short_run_text(run, i + 1) : run_text(run);
     for (const ThreadResult& thread : run.result.threads) {
       rows += thread.loop.rows;
       lost += thread.loop.rows_lost;

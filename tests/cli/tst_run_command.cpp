@@ -304,6 +304,23 @@ class TestRunCommand : public QObject {
     const json none = json::parse(run_trocar({"check", demo, "--json"}).out.toStdString());
     QVERIFY(none["findings"].is_array() && none["findings"].empty());
   }
+
+  void of_many_runs_only_those_with_something_to_tell_are_listed() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("many.lua");
+    QFile file(path);
+    QVERIFY(file.open(QFile::WriteOnly) &&
+            file.write("local laparoscope = trocar.Laparoscope {}\n"
+                       "for i = 1, 25 do\n"
+                       "  trocar.run { duration = '0.1 s',\n"
+                       "    requests = i == 7 and { { at = '0.05 s', ask = 'stop' } } or nil }\n"
+                       "end\n") > 0);
+    file.close();
+    const Ran ran = run_trocar({"run", path, "--clock", "simulated", "--black-box", "off"});
+    QVERIFY2(ran.out.startsWith("25 runs: 2.5 s of virtual time in "), ran.out);
+    QVERIFY2(ran.out.contains(" s, 1 with faults\nrun 7: 0.100 s at 1000 Hz"), ran.out);
+    QCOMPARE(ran.out.count("\nrun "), 1);
+  }
 };
 
 QTEST_GUILESS_MAIN(TestRunCommand)

@@ -117,6 +117,23 @@ class TestSupervisor : public QObject {
     QCOMPARE(rig.executor->faults().size(), std::size_t{1});
   }
 
+  void the_component_that_hung_is_named() {
+    StallRig rig;
+    rig.tick(600);
+    rig.get("gravity").law = [](Puppet&, const Tick&) {
+      const std::int64_t end = monotonic_ns() + 50 * ms;
+      while (monotonic_ns() < end) {
+      }
+    };
+    rig.tick(1);
+    rig.watch(0);
+    rig.get("gravity").law = [](Puppet&, const Tick&) {};
+    rig.tick(1);
+    const Fault& fault = rig.executor->faults()[0];
+    QCOMPARE(std::string(to_string(fault.cause)), std::string("loop stalled"));
+    QCOMPARE(std::string(fault.component), std::string("gravity"));
+  }
+
   void policies() {
     StallRig ignoring(OverloadPolicy::ignore);
     ignoring.tick(600);
