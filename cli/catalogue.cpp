@@ -9,6 +9,12 @@
 namespace trocar::cli {
 namespace {
 
+bool is_group(const ComponentType& type) {
+  return !type.make;
+}
+
+}  // namespace
+
 std::vector<std::string> categories_of(const Registry& registry) {
   std::vector<std::string> categories;
   for (const ComponentType& type : registry.types())
@@ -16,12 +22,6 @@ std::vector<std::string> categories_of(const Registry& registry) {
       categories.push_back(type.category);
   return categories;
 }
-
-bool is_group(const ComponentType& type) {
-  return !type.make;
-}
-
-}  // namespace
 
 std::string catalogue_text(const Registry& registry) {
   if (registry.types().empty()) return "No components are registered.\n";

@@ -2,10 +2,13 @@
 // What `trocar list` and `trocar describe` say, on a registry of the test's own.
 #include "cli/description.hpp"
 
+#include <QFile>
 #include <QTest>
 #include <nlohmann/json.hpp>
 
 #include "cli/catalogue.hpp"
+#include "cli/reference.hpp"
+#include "components/register.hpp"
 #include "framework/graph.hpp"
 
 using namespace trocar;
@@ -117,6 +120,15 @@ class TestDescription : public QObject {
     QCOMPARE(rig.parts.at("arm"), std::string("Pusher"));
     QCOMPARE(rig.parameters.at(0).name, std::string("weight"));
     QVERIFY(description_text(rig).find("Sites (for at)\n  tip\n") != std::string::npos);
+  }
+
+  void the_reference_is_of_today() {
+    Registry registry;
+    register_components(registry);
+    QFile page(TROCAR_SOURCE_DIR "/docs/components.md");
+    QVERIFY(page.open(QFile::ReadOnly));
+    QVERIFY2(page.readAll().toStdString() == reference_markdown(registry),
+             "build/bin/trocar list --markdown > docs/components.md");
   }
 
   void a_misspelt_name_gets_the_nearest() {
