@@ -19,6 +19,7 @@ constexpr std::string_view help_text =
     "list [text]               signals and parameters whose name contains the text\n"
     "stop                      stop the rendering\n"
     "acknowledge               acknowledge a fault\n"
+    "home                      let a device find its references\n"
     "engage                    render again\n"
     "end                       end the run\n"
     "Tab completes, arrow keys go back to earlier lines.\n";

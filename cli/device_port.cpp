@@ -10,6 +10,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 
 #include "components/devices/hid/pipe_link.hpp"
@@ -20,6 +21,26 @@ namespace {
 [[noreturn]] void port_failed(const std::string& path, const char* cure) {
   throw std::runtime_error(
       fmt::format("{} cannot be used ({}): {}", path, std::strerror(errno), cure));
+}
+
+std::string first_line(const std::string& path) {
+  std::string line;
+  std::ifstream file(path);
+  if (!file) port_failed(path, "it is a gadget's file UDC");
+  std::getline(file, line);
+  return line;
+}
+
+/// In one call of write, as the files of a file system of settings want it.
+void write_line(const std::string& path, std::string line) {
+  line += '\n';
+  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const bool written =
+      file >= 0 && write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  const int error = errno;
+  if (file >= 0) close(file);
+  errno = error;
+  if (!written) port_failed(path, "it is a gadget's file UDC, and only root may write to it");
 }
 
 bool is_socket(const std::string& path) {
@@ -100,13 +121,18 @@ class SocketPort final : public DevicePort {
 
 class GadgetPort final : public DevicePort {
  public:
-  explicit GadgetPort(const std::string& path)
-      : path_(path), file_(open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC)) {
-    if (file_ < 0)
-      port_failed(path,
-                  "it needs a gadget with a HID function of 64 bytes each way, and its rights");
+  GadgetPort(std::string path, std::string controller)
+      : path_(std::move(path)), controller_(std::move(controller)) {
+    if (!controller_.empty()) udc_ = first_line(controller_);
+    if (!controller_.empty() && udc_.empty())
+      throw std::runtime_error(controller_ +
+                               " names no controller: plug the gadget in before, by writing the "
+                               "name of one of /sys/class/udc into it");
+    open_file();
   }
-  ~GadgetPort() override { close(file_); }
+  ~GadgetPort() override {
+    if (file_ >= 0) close(file_);
+  }
   GadgetPort(const GadgetPort&) = delete;
   GadgetPort& operator=(const GadgetPort&) = delete;
 
@@ -117,15 +143,37 @@ class GadgetPort final : public DevicePort {
   void send(const hid::Report& report) override {
     [[maybe_unused]] const ssize_t sent = write(file_, report.data(), report.size());
   }
-  void plug() override { refuse(); }
-  void unplug() override { refuse(); }
+
+  void plug() override {
+    require_controller();
+    write_line(controller_, udc_);
+    open_file();
+  }
+  /// The function's file goes away with the plug; who keeps it open keeps the old one.
+  void unplug() override {
+    require_controller();
+    close(file_);
+    file_ = -1;
+    write_line(controller_, "");
+  }
 
  private:
-  [[noreturn]] void refuse() const {
-    throw std::runtime_error(path_ + " is plugged by its gadget: write to that one's file UDC");
+  void require_controller() const {
+    if (controller_.empty())
+      throw std::runtime_error(path_ +
+                               " is plugged by its gadget: write to that one's file UDC, or name "
+                               "it by --udc");
   }
-  std::string path_;
-  int file_;
+  void open_file() {
+    file_ = open(path_.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    if (file_ < 0)
+      port_failed(path_,
+                  "it needs a gadget with a HID function of 64 bytes each way, and its rights");
+  }
+
+  std::string path_, controller_;
+  std::string udc_;  // what the controller's file said
+  int file_ = -1;
 };
 
 }  // namespace
@@ -134,8 +182,8 @@ std::unique_ptr<DevicePort> socket_port(const std::string& path) {
   return std::make_unique<SocketPort>(path);
 }
 
-std::unique_ptr<DevicePort> gadget_port(const std::string& path) {
-  return std::make_unique<GadgetPort>(path);
+std::unique_ptr<DevicePort> gadget_port(const std::string& path, const std::string& controller) {
+  return std::make_unique<GadgetPort>(path, controller);
 }
 
 }  // namespace trocar::cli

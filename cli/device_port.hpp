@@ -26,10 +26,12 @@ class DevicePort {
 /// @throw std::runtime_error with the path and the reason
 std::unique_ptr<DevicePort> socket_port(const std::string& path);
 
-/// The device's side of a USB gadget's HID function, such as /dev/hidg0. Plugging is the business
-/// of who made the gadget: plug() and unplug() throw.
+/// The device's side of a USB gadget's HID function, such as /dev/hidg0.
+///  controller the gadget's file UDC, which plugs it. Without, plugging is the business of who
+///   made the gadget: plug() and unplug() throw
 /// @throw std::runtime_error with the path and the reason
-std::unique_ptr<DevicePort> gadget_port(const std::string& path);
+std::unique_ptr<DevicePort> gadget_port(const std::string& path,
+                                        const std::string& controller = "");
 
 struct UhidIdentity {
   std::uint16_t vendor = 0x1209, product = 0x0001;

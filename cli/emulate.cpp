@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -22,10 +24,10 @@ namespace trocar::cli {
 namespace {
 
 struct EmulateArguments {
-  std::string socket, gadget, uhid;
+  std::string socket, gadget, controller, uhid;
   std::uint32_t serial = 1;
   std::string vendor = "1209", product = "0001";
-  std::string duration;
+  std::string period, duration;
   std::uint64_t seed = 1;
   std::vector<std::string> settings, orders;
 };
@@ -70,17 +72,31 @@ void set_parameter(SimulatedLaparoscope& plant, const std::string& setting) {
     throw CLI::ValidationError("--set", fmt::format("{} {}", name, wrong));
 }
 
+/// Of state reports: a whole number of the firmware's cycles, as slow as a host may be.
+std::uint32_t period_us(const std::string& text, std::uint32_t cycle_us) {
+  constexpr double slowest = 4000.0;
+  const double us = duration_of(text, "--period") * 1e6;
+  const double cycles = std::round(us / cycle_us);
+  if (us > slowest + 0.5 || cycles < 1.0 || std::abs(us - cycles * cycle_us) > 0.5)
+    throw CLI::ValidationError("--period",
+                               fmt::format("{} is no whole number of {} us up to 4 ms, e.g. 2ms",
+                                           in_quotes(text), cycle_us));
+  return static_cast<std::uint32_t>(cycles) * cycle_us;
+}
+
 hid::EmulatedLaparoscopeSettings device_settings(const EmulateArguments& arguments) {
   SimulatedLaparoscope plant;
   for (const std::string& setting : arguments.settings) set_parameter(plant, setting);
   hid::EmulatedLaparoscopeSettings settings{.plant = plant.plant_settings({.seed = arguments.seed}),
                                             .serial = arguments.serial};
+  if (!arguments.period.empty())
+    settings.period_us = period_us(arguments.period, settings.cycle_us);
   return settings;
 }
 
 std::unique_ptr<DevicePort> port_of(const EmulateArguments& arguments) {
   if (!arguments.socket.empty()) return socket_port(arguments.socket);
-  if (!arguments.gadget.empty()) return gadget_port(arguments.gadget);
+  if (!arguments.gadget.empty()) return gadget_port(arguments.gadget, arguments.controller);
   if (!arguments.uhid.empty())
     return uhid_port(arguments.uhid, {.vendor = hid::usb_number(arguments.vendor, "--vendor"),
                                       .product = hid::usb_number(arguments.product, "--product"),
@@ -91,6 +107,7 @@ std::unique_ptr<DevicePort> port_of(const EmulateArguments& arguments) {
 void carry_out(Emulator& emulator, const std::string& line) {
   try {
     if (const std::string said = emulator.obey(line); !said.empty()) print(said + "\n");
+    std::fflush(stdout);  // whoever orders through pipes waits for it
   } catch (const std::exception& error) {
     complain(error.what());
   }
@@ -153,6 +170,12 @@ void add_emulate(CLI::App& app, int& status) {
     where->check(check_file_name)->type_name("FILE");
   socket->excludes(gadget)->excludes(uhid);
   gadget->excludes(uhid);
+  command
+      ->add_option("--udc", arguments->controller,
+                   "The gadget's file UDC, for the orders plug and unplug of --gadget")
+      ->check(check_file_name)
+      ->type_name("FILE")
+      ->needs(gadget);
   command->add_option("--serial", arguments->serial, "Of the device (default 1)");
   command->add_option("--vendor", arguments->vendor, "Of USB, with --uhid (default 1209)");
   command->add_option("--product", arguments->product, "Of USB, with --uhid (default 0001)");
@@ -165,6 +188,8 @@ void add_emulate(CLI::App& app, int& status) {
       ->add_option("--order", arguments->orders,
                    "What is to go wrong from the beginning, e.g. \"loss 10%\"")
       ->allow_extra_args(false);
+  command->add_option("--period", arguments->period,
+                      "Between two state reports, e.g. 2ms (default 1ms)");
   command->add_option("--for", arguments->duration, "How long, e.g. 5s (default: until Ctrl-C)");
   command->footer(fmt::format(
       "Example, in two terminals:\n"

@@ -89,11 +89,21 @@ const char* Emulator::orders() {
 void Emulator::cycle() {
   std::array<std::uint8_t, 256> bytes{};
   for (std::size_t size = port_.receive(bytes); size > 0; size = port_.receive(bytes))
-    if (!deaf_) device_.receive({bytes.data(), size});
+    if (!deaf_) receive({bytes.data(), size});
   device_.cycle();
+  effort_end_.cycle(!device_.effort().isZero(), device_.time_us());
   hid::Report report;
   while (device_.next(report)) faults_.send(report, device_.time_us());
-  while (faults_.arrived(device_.time_us(), report)) port_.send(report);
+  while (faults_.arrived(device_.time_us(), report)) {
+    port_.send(report);
+    if (plugged_) effort_end_.report_left(report, device_.time_us());
+  }
+}
+
+void Emulator::receive(hid::ReportBytes bytes) {
+  const std::uint32_t before = device_.intake().taken();
+  device_.receive(bytes);
+  if (device_.intake().taken() != before) effort_end_.command_taken(device_.time_us());
 }
 
 void Emulator::plug(bool plugged) {
@@ -101,6 +111,7 @@ void Emulator::plug(bool plugged) {
   if (plugged) {
     device_.power_cycle();
     faults_.clear();
+    effort_end_.forget();
     port_.plug();
   } else {
     port_.unplug();
@@ -112,13 +123,14 @@ std::string Emulator::state() const {
   const hid::DeviceStateMachine& machine = device_.machine();
   const Eigen::Vector3d tip = device_.plant().configuration().tool.tip * 1e3;
   const Vector6d effort = device_.effort();
+  const std::string end = effort_end_.text();
   return fmt::format(
-      "{}{}{}, tip {:.2f} {:.2f} {:.2f} mm, sliders {:.2f} {:.2f} {:.2f} N, {} commands taken",
+      "{}{}{}, tip {:.2f} {:.2f} {:.2f} mm, sliders {:.2f} {:.2f} {:.2f} N, {} commands taken{}{}",
       name_of(machine.state()),
       machine.fault() == hid::DeviceFault::none ? ""
                                                 : std::string(" of ") + name_of(machine.fault()),
       device_.braked() ? ", braked" : "", tip.x(), tip.y(), tip.z(), effort[0], effort[1],
-      effort[2], device_.intake().taken());
+      effort[2], device_.intake().taken(), end.empty() ? "" : ", ", end);
 }
 
 std::string Emulator::obey(std::string_view line) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cli/device_port.hpp"
+#include "cli/effort_end.hpp"
 #include "components/devices/hid/emulated_laparoscope.hpp"
 #include "components/devices/hid/report_faults.hpp"
 
@@ -30,11 +31,13 @@ class Emulator {
   static const char* orders();
 
  private:
+  void receive(hid::ReportBytes bytes);
   void plug(bool plugged);
   std::string state() const;
 
   hid::EmulatedLaparoscope device_;
   hid::ReportFaults faults_{1};
+  EffortEnd effort_end_;
   DevicePort& port_;
   bool plugged_ = true;
   bool deaf_ = false;

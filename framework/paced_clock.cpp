@@ -11,6 +11,7 @@ namespace trocar {
 namespace {
 
 constexpr std::int64_t longest_gap_ns = 1'000'000'000;  // longer: the pacer's clock started anew
+constexpr std::int64_t first_beat_ns = 20'000'000;      // that the first beat has
 
 }  // namespace
 
@@ -25,7 +26,11 @@ void PacedClock::start(std::int64_t period_ns) {
   period_ns_ = period_ns;
   next_ = 0;
   any_ = false;
-  begun_ns_ = time_.now() - period_ns;
+  // One that came before may be old: the machine was busy with the start.
+  Pacer::Beat old;
+  pacer_.wait_for_beat(time_.now(), old);
+  begun_ns_ = time_.now() + std::max(first_beat_ns, period_ns + period_ns / 2) -
+              (period_ns + period_ns / 2);
 }
 
 std::int64_t PacedClock::slot_of(const Pacer::Beat& beat) const RT_SAFE {

@@ -10,6 +10,7 @@ namespace trocar {
 ///
 ///   slot of a beat = slot of the one before + round(its own time since then / period)
 ///
+/// The first tick has 20 ms to be begun by a beat that came after the start.
 /// A beat that never came, or that came while the loop was busy, leaves its slot skipped. When none
 /// has come for one and a half periods, the clock goes on by itself, a tick each period: gates and
 /// heartbeat supervise, and the age of what they see grows. Between two ticks that were begun by

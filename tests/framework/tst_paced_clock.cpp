@@ -81,6 +81,28 @@ class TestPacedClock : public QObject {
     }
   }
 
+  void the_first_tick_is_begun_by_a_beat_of_after_the_start() {
+    VirtualTime time;
+    ScriptedPacer pacer(time);
+    PacedClock clock(pacer, time);
+    pacer.beat(0);
+    time.now_ns = pacer.start + 14 * period + 100'000;
+    clock.start(period);
+    pacer.beat(19);
+    const Slot slot = clock.wait();
+    QCOMPARE(slot.index, std::int64_t{0});
+    QCOMPARE(slot.skipped, std::int64_t{0});
+    QCOMPARE(slot.date_ns, pacer.start + 19 * period);
+    QCOMPARE(slot.lateness_ns, std::int64_t{0});
+  }
+
+  void without_any_beat_it_begins_by_itself() {
+    Bench bench;
+    const std::int64_t start = bench.time.now_ns;
+    QCOMPARE(bench.clock.wait().date_ns, start + 20'000'000);
+    QCOMPARE(bench.clock.wait().date_ns, start + 21'000'000);
+  }
+
   void waking_up_late_is_lateness() {
     Bench bench;
     bench.pacer.beat(0);
