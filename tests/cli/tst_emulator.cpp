@@ -192,6 +192,40 @@ class TestEmulator : public QObject {
     QVERIFY_THROWS_EXCEPTION(std::runtime_error, port->unplug());
   }
 
+  void a_gadget_is_plugged_by_its_controllers_file() {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("hidg0").toStdString();
+    QCOMPARE(mkfifo(path.c_str(), 0600), 0);
+    QFile controller(folder.filePath("UDC"));
+    const auto written = [&](const char* text) {
+      return controller.open(QFile::WriteOnly) && controller.write(text) >= 0 &&
+             (controller.close(), true);
+    };
+    const auto says = [&] {
+      QByteArray text;
+      if (controller.open(QFile::ReadOnly)) text = controller.readAll();
+      controller.close();
+      return text;
+    };
+    QVERIFY(written(""));
+    const std::string udc = controller.fileName().toStdString();
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, gadget_port(path, udc));
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, gadget_port(path, "/nowhere/UDC"));
+    QVERIFY(written("dummy_udc.0\n"));
+    const auto port = gadget_port(path, udc);
+    QVERIFY(written(""));  // a file of settings forgets what it said before
+    port->unplug();
+    QCOMPARE(says(), QByteArray("\n"));
+    port->send(hid::Report{9});
+    std::array<std::uint8_t, 100> bytes{};
+    QCOMPARE(port->receive(bytes), std::size_t{0});
+    QVERIFY(written(""));
+    port->plug();
+    QCOMPARE(says(), QByteArray("dummy_udc.0\n"));
+    port->send(hid::Report{9});
+    QCOMPARE(port->receive(bytes), std::size_t{64});
+  }
+
   void what_is_not_there_is_said_with_its_cure() {
     QVERIFY_THROWS_EXCEPTION(std::runtime_error, gadget_port("/nowhere/hidg0"));
     try {

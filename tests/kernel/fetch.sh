@@ -29,6 +29,7 @@ unpack() {
   (cd "$part" && apt-get download -qq "$package" >log 2>&1 && dpkg -x ./*.deb root) ||
     skip "apt-get cannot download $package: $(tail -n 1 "$part/log" 2>/dev/null)"
   mv "$part/root" "$folder"
+  rm -rf "$part"
 }
 
 mkdir -p "$cache"

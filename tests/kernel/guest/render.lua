@@ -23,14 +23,15 @@ local function spread(signal)
   local function at(share) return all[math.max(1, math.ceil(share * #all))] end
   return { signal = signal, rows = #all, median = at(0.5), most = at(0.99), worst = all[#all] }
 end
+local function since_the_first_tick(signal) return run:last(device .. signal) - run:first(device .. signal) end
 if args.engage then
   for _, signal in ipairs { "report_age", "round_trip", "write_time" } do
     trocar.publish("way", spread(signal))
   end
   trocar.publish("reports", {
     ticks = run.ticks, seconds = run.duration,
-    lost = run:last(device .. "reports_lost"), repeated = run:last(device .. "reports_repeated"),
-    refused = run:last(device .. "reports_refused"),
+    lost = since_the_first_tick("reports_lost"), repeated = since_the_first_tick("reports_repeated"),
+    refused = since_the_first_tick("reports_refused"),
     wall = -run:min("wall.force.z"), scale = run:last(device .. "scale"),
   })
 end

@@ -9,6 +9,8 @@ udc=$1
 seconds=$(sed -n 's/.*trocar[.]seconds=\([0-9]*\).*/\1/p' /proc/cmdline)
 cd /tmp || exit
 
+now() { echo "@time $(cut -d" " -f1 /proc/uptime)"; }
+
 show() { # NAME: the file of that name
   echo "@begin $1"
   cat "$1"
@@ -89,6 +91,7 @@ end_run() {
 
 # From whatever there is to rendering, as an operator would do it.
 engage() {
+  now
   if state_is "unhomed*" || state_is "fault of encoder jump*"; then
     ask home
     wait_for 5 state_is "ready*" || echo "@failed: it is not homed: $(state)"
@@ -109,6 +112,7 @@ engage() {
 
 # What is done to a device that renders, and undone. fault NAME DO UNDO, both in this shell.
 fault() {
+  now
   echo "@asked $1 $(run_time)"
   eval "$2"
   usleep 400000
@@ -130,6 +134,7 @@ undisturbed() {
 
 echo "@kernel $(uname -r) $(uname -v)"
 wait_for 10 test -e /dev/hidraw0 || echo "@failed: the kernel sees no device"
+now
 trocar devices --json >devices.json
 trocar doctor --json >doctor.json
 su nobody -c 'trocar doctor --json' >doctor_nobody.json
@@ -140,12 +145,14 @@ for name in devices doctor doctor_nobody doctor_cured; do show $name.json; done
 tst_doctor their_cures_work >cures.txt 2>&1
 show cures.txt
 
+now
 # The fastest that this machine can do.
 for rate in 1000 500; do
   undisturbed && break
   echo "@slower $rate"
   sed 's/^/  /' undisturbed.txt
 done
+now
 echo "@rate $rate"
 show undisturbed.txt
 show undisturbed.json
@@ -175,4 +182,5 @@ wait $run
 usleep 300000
 echo "@state killed $(state)"
 stop_device
+now
 echo "@done"
