@@ -107,7 +107,7 @@ std::unique_ptr<DevicePort> port_of(const EmulateArguments& arguments) {
 void carry_out(Emulator& emulator, const std::string& line) {
   try {
     if (const std::string said = emulator.obey(line); !said.empty()) print(said + "\n");
-    std::fflush(stdout);  // whoever orders through pipes waits for it
+    std::fflush(stdout);
   } catch (const std::exception& error) {
     complain(error.what());
   }
@@ -147,6 +147,7 @@ int emulate(const EmulateArguments& arguments) {
                                  : std::optional(duration_of(arguments.duration, "--for"));
   print(fmt::format("emulated laparoscope, serial {}; orders on standard input:\n{}\n",
                     arguments.serial, Emulator::orders()));
+  std::fflush(stdout);  // whoever orders through pipes waits for it
   for (const std::string& missing : run_on_loop_thread(
            {.name = "firmware", .realtime = true}, [&] { run_in_real_time(emulator, duration); }))
     complain("not real-time: " + missing);

@@ -42,6 +42,7 @@ bool Intervention::answer_line(RunControl& control) {
       lines_->next([&](std::string_view begin) { return console_.completions(begin, control); });
   if (!line) return false;
   print(console_.answer(*line, control));
+  std::fflush(stdout);  // whoever asks through pipes waits for it
   return true;
 }
 

@@ -26,15 +26,15 @@ esac
 
 kernel=$("$here/fetch.sh" "$flavour" "$cache")
 image=$(mktemp "$cache/image.XXXXXX")
-trap 'rm -f "$image" "$image.serial"' EXIT
+trap 'rm -f "$image" "$transcript.part"' EXIT
 "$here/image.sh" "$kernel" "$cache/busybox-static" "$build" "$image"
 
 # The generic emulation and not KVM: that may be there and still not start this kernel, and its time
 # cannot be counted.
 # shellcheck disable=SC2086
 timeout "$((300 + 20 * seconds))" qemu-system-x86_64 -accel tcg -cpu qemu64 -smp 1 -m 512 -M pc $clock_options \
-  -nodefaults -display none -no-reboot -serial "file:$image.serial" \
+  -nodefaults -display none -no-reboot -serial "file:$transcript.part" \
   -kernel "$(echo "$kernel"/boot/vmlinuz-*)" -initrd "$image" \
   -append "console=ttyS0 quiet edd=off panic=-1 reboot=t mitigations=off trocar.seconds=$seconds" \
   </dev/null || echo "QEMU ended with $?, or did not end in time" >&2
-tr -d '\r' <"$image.serial" >"$transcript"
+tr -d '\r' <"$transcript.part" >"$transcript"

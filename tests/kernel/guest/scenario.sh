@@ -4,11 +4,12 @@
 #
 # Lines that begin with @ are for the judge, tst_kernel: "@state NAME" with what the emulated device
 # said of itself, "@asked NAME TIME" with the time of the run at which something was done to it, and
-# files between "@begin NAME" and "@end NAME".
+# files between "@begin NAME" and "@end NAME". All else is for people.
 udc=$1
 seconds=$(sed -n 's/.*trocar[.]seconds=\([0-9]*\).*/\1/p' /proc/cmdline)
 cd /tmp || exit
 
+# How far it got, for who watches.
 now() { echo "@time $(cut -d" " -f1 /proc/uptime)"; }
 
 show() { # NAME: the file of that name
@@ -91,7 +92,6 @@ end_run() {
 
 # From whatever there is to rendering, as an operator would do it.
 engage() {
-  now
   if state_is "unhomed*" || state_is "fault of encoder jump*"; then
     ask home
     wait_for 5 state_is "ready*" || echo "@failed: it is not homed: $(state)"
@@ -115,7 +115,7 @@ fault() {
   now
   echo "@asked $1 $(run_time)"
   eval "$2"
-  usleep 400000
+  usleep 200000
   echo "@state $1 $(state)"
   eval "$3"
   engage
@@ -134,7 +134,6 @@ undisturbed() {
 
 echo "@kernel $(uname -r) $(uname -v)"
 wait_for 10 test -e /dev/hidraw0 || echo "@failed: the kernel sees no device"
-now
 trocar devices --json >devices.json
 trocar doctor --json >doctor.json
 su nobody -c 'trocar doctor --json' >doctor_nobody.json
@@ -145,7 +144,6 @@ for name in devices doctor doctor_nobody doctor_cured; do show $name.json; done
 tst_doctor their_cures_work >cures.txt 2>&1
 show cures.txt
 
-now
 # The fastest that this machine can do.
 for rate in 1000 500; do
   undisturbed && break
