@@ -4,7 +4,7 @@
 #
 # What the guest writes to its serial line goes to the file TRANSCRIPT. From the environment:
 #   TROCAR_KERNEL_FLAVOUR  amd64, or rt-amd64: PREEMPT_RT
-#   TROCAR_KERNEL_SECONDS  how long it renders undisturbed, 10
+#   TROCAR_KERNEL_SECONDS  how long it renders undisturbed, 10 at first
 #   TROCAR_KERNEL_CLOCK    counted: the guest's time is that of its instructions, 1 ns each, whatever
 #                          this machine does beside it; host: this machine's time
 # Exit status 77: QEMU or the packages cannot be had here.
@@ -32,7 +32,7 @@ trap 'rm -f "$image" "$transcript.part"' EXIT
 # The generic emulation and not KVM: that may be there and still not start this kernel, and its time
 # cannot be counted.
 # shellcheck disable=SC2086
-timeout "$((300 + 20 * seconds))" qemu-system-x86_64 -accel tcg -cpu qemu64 -smp 1 -m 512 -M pc $clock_options \
+timeout "$((1200 + 60 * seconds))" qemu-system-x86_64 -accel tcg -cpu qemu64 -smp 1 -m 512 -M pc $clock_options \
   -nodefaults -display none -no-reboot -serial "file:$transcript.part" \
   -kernel "$(echo "$kernel"/boot/vmlinuz-*)" -initrd "$image" \
   -append "console=ttyS0 quiet edd=off panic=-1 reboot=t mitigations=off trocar.seconds=$seconds" \
