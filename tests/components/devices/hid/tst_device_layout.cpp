@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a layout in Lua says of a device, and what is wrong with one.
+#include <QFile>
 #include <QTest>
 
 #include "tests/support/input_device.hpp"
@@ -46,6 +47,18 @@ class TestDeviceLayout : public QObject {
     QCOMPARE(values[2], -1.0);
     QCOMPARE(values[3], -3.0);
     QCOMPARE(values[4], 4.0);
+  }
+
+  void the_documents_example_is_one() {
+    QFile page(TROCAR_SOURCE_DIR "/docs/devices.md");
+    QVERIFY(page.open(QFile::ReadOnly));
+    const QByteArray text = page.readAll();
+    const qsizetype begin = text.indexOf("-- pedal.lua");
+    QVERIFY(begin > 0);
+    const ReadLayout read =
+        read_layout_text(text.mid(begin, text.indexOf("```", begin) - begin).toStdString());
+    QVERIFY2(read.wrong.empty(), read.wrong.empty() ? "" : read.wrong[0].c_str());
+    QCOMPARE(read.layout->outputs.size(), std::size_t(3));
   }
 
   void a_device_may_have_several_products() {
@@ -115,6 +128,7 @@ class TestDeviceLayout : public QObject {
           "a = { offset = 8, bits = 8 }, b = { report = 1, offset = 8, bits = 8 }",
           "fields.b: report = 1: \"a\" has 0; a device numbers all its reports, or none");
     field("a unit", "a = { offset = 8, bits = 8, unit = 'mn' }", "fields.a.unit: ");
+    field("two units", "a = { offset = 8, bits = 8, unit = 'm, m' }", "fields.a.unit: ");
     field("no scale", "a = { offset = 8, bits = 8, scale = 0 }",
           "fields.a: scale = 0: must be finite, and not zero");
     field("a scale that is none", "a = { offset = 8, bits = 8, scale = 1 / 0 }",
