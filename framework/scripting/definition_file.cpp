@@ -53,10 +53,11 @@ std::optional<Literal> read_definition(const std::string& name, const std::strin
   LoopState state({}, name, 1);
   if (!state.run_file(text, 1)) {
     const std::string breach = breach_of(state);
+    const LoopTrace& trace = state.guard().trace();
     if (breach.empty())
       add_loop_error(name, path, state.error(), findings);
     else
-      findings.add({path, 0}, breach);
+      findings.add({path, trace.count > 0 ? trace.frames[0].line : 0}, breach);
     return std::nullopt;
   }
   if (!lua_istable(state.lua(), -1)) {

@@ -85,8 +85,9 @@ class TestDeviceLayout : public QObject {
     layout("a number", "return 7", "layout.lua:1: returns a number");
     layout("a list", "return { 1, 2 }", ": {1, 2}: needs a table whose entries have names");
     layout("a mistake of Lua's", "\nlocal x = nil + 1\nreturn {}", "layout.lua:2: attempt");
-    layout("no end", "while true do end",
-           "layout.lua: took more than 1000000 instructions: it has to return a table, and to end");
+    layout(
+        "no end", "local n = 0\nwhile true do n = n + 1 end",
+        "layout.lua:2: took more than 1000000 instructions: it has to return a table, and to end");
     layout("a file", "return io.open('x')", "layout.lua:1: ");
     layout("itself", "local t = {}\nfor i = 1, 9 do t[i] = t end\nreturn t",
            "layout.lua:1: returns a table that is too large, or holds itself");
