@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "cli/output.hpp"
+#include "framework/component_definition.hpp"
 #include "framework/graph.hpp"
 #include "framework/text.hpp"
 
@@ -51,6 +52,14 @@ void add_parameters(const ParameterSet& settings, Description& description) {
                                       parameter->unit().symbol, parameter->range_text(),
                                       parameter->required() ? "" : parameter->text(),
                                       parameter->doc(), parameter->choices(), parameter->live()});
+}
+
+/// It is no parameter, since ports cannot change once they are there; a script sees none of that.
+void add_definition(const ComponentDefinition& definition, Description& description) {
+  description.definition = definition.entry;
+  description.sample = definition.example;
+  description.parameters.push_back(
+      {.name = definition.entry, .type = "any value", .doc = definition.doc});
 }
 
 /// A group says what it offers by building itself into a graph of its own.
@@ -109,7 +118,9 @@ std::string example_of(const Description& description) {
       settings.push_back(fmt::format("{0} = other.{0}", input.name));
   for (const Description::Parameter& parameter : description.parameters)
     if (parameter.initial.empty())
-      settings.push_back(fmt::format("{} = {}", parameter.name, sample(parameter)));
+      settings.push_back(fmt::format(
+          "{} = {}", parameter.name,
+          parameter.name == description.definition ? description.sample : sample(parameter)));
   constexpr std::size_t enough = 3;
   for (const Description::Parameter& parameter : description.parameters)
     if (settings.size() < enough && !parameter.initial.empty() && parameter.initial != "\"\"" &&
@@ -131,6 +142,7 @@ Description describe(const Registry& registry, std::string_view name) {
   if (description.group) {
     add_group(registry, description);
   } else {
+    if (type->definition) add_definition(*type->definition, description);
     const auto component = type->make();
     add_ports(*component, description);
     add_parameters(*component, description);

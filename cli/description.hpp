@@ -39,7 +39,9 @@ struct Description {
   std::string category{};
   std::string doc{};
   bool group = false;
-  bool placed = false;  // takes `at = site`
+  bool placed = false;       // takes `at = site`
+  std::string definition{};  // the entry that further outputs follow from
+  std::string sample{};      // of it
   std::vector<Port> inputs{};
   std::vector<Port> outputs{};
   std::vector<Parameter> parameters{};

@@ -135,12 +135,14 @@ std::string instance_class(const Description& description) {
   for (const auto& [part, type] : description.parts)
     instance.add(part, false, type == "group" ? "table" : "trocar." + type, "A part, " + type);
   for (const Description::Parameter& parameter : description.parameters)
-    instance.add(parameter.name, false, "trocar.Parameter", parameter_doc(parameter));
+    if (parameter.name != description.definition)
+      instance.add(parameter.name, false, "trocar.Parameter", parameter_doc(parameter));
   for (const Description::Port& input : description.inputs)
     instance.add(input.name, false, "trocar.Input", port_doc(input));
   std::string text;
   for (const auto& each : tables) text += each.second.text() + "\n";
-  return text + instance.text();
+  const char* const further = "---@field [string] trocar.Output.any\n";
+  return text + instance.text() + (description.definition.empty() ? "" : further);
 }
 
 std::string output_type(const TypeInfo& type) {

@@ -6,6 +6,7 @@
 #include "components/control/product.hpp"
 #include "components/control/scale.hpp"
 #include "components/control/sum.hpp"
+#include "components/devices/generic_hid.hpp"
 #include "components/filters/difference.hpp"
 #include "components/filters/foaw.hpp"
 #include "components/fixtures/pose_spring.hpp"
@@ -25,6 +26,7 @@ namespace trocar {
 
 void register_components(Registry& registry) {
   register_laparoscope(registry);
+  registry.add(generic_hid_type());
 
   registry.add<Creep>("Creep", "control", "Tissue that yields slowly under a load");
   registry.add<Delay>("Delay", "control", "A signal some ticks ago; breaks a loop");

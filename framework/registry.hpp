@@ -13,6 +13,8 @@
 
 namespace trocar {
 
+struct ComponentDefinition;
+
 /// What is known of a component type without making one.
 struct ComponentType {
   std::string name;                                  // CamelCase, as scripts call it
@@ -20,6 +22,7 @@ struct ComponentType {
   std::string doc;                                   // one line
   std::function<std::unique_ptr<Component>()> make;  // empty for a group
   std::function<std::unique_ptr<Group>()> make_group;
+  std::shared_ptr<const ComponentDefinition> definition{};  // of ports that a script defines
 };
 
 /// The component types and groups that scripts can use. An object like any other: nothing
@@ -29,7 +32,7 @@ class Registry {
   /// @throw std::invalid_argument when the name is taken or not CamelCase.
   template <typename T>
   void add(std::string_view name, std::string_view category, std::string_view doc) {
-    ComponentType type{std::string(name), std::string(category), std::string(doc), {}, {}};
+    ComponentType type{std::string(name), std::string(category), std::string(doc), {}, {}, {}};
     if constexpr (std::is_base_of_v<Group, T>)
       type.make_group = [] { return std::make_unique<T>(); };
     else

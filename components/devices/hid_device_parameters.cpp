@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/devices/hid_device_parameters.hpp"
 
-#include "components/devices/hid/hidapi_link.hpp"
-#include "components/devices/hid/pipe_link.hpp"
+#include "components/devices/hid/link_sources.hpp"
 
 namespace trocar {
 namespace {
@@ -19,13 +18,10 @@ std::string text(const Parameter<std::string>& parameter) {
 }  // namespace
 
 std::unique_ptr<hid::LinkSource> HidDeviceParameters::source() const {
-  const hid::DeviceSelection selection{.vendor = number(vendor),
-                                       .product = number(product),
-                                       .serial = text(serial),
-                                       .path = text(path)};
-  if (!selection.path.empty() && !selection.path.starts_with("/dev/"))
-    return std::make_unique<hid::SocketSource>(selection.path);
-  return std::make_unique<hid::HidapiSource>(selection);
+  return hid::source_of({.vendor = number(vendor),
+                         .product = number(product),
+                         .serial = text(serial),
+                         .path = text(path)});
 }
 
 }  // namespace trocar

@@ -11,7 +11,7 @@ namespace {
 
 /// A thread begins as its maker is; only what differs is set. What the machine does not allow is
 /// left: the loop's own thread has said so.
-void serve_maker(const std::string& name) {
+void serve_maker(const std::string& name, ServiceThread::Urgency urgency) {
   pthread_setname_np(pthread_self(), name.substr(0, 15).c_str());
   cpu_set_t all;
   CPU_ZERO(&all);
@@ -22,15 +22,21 @@ void serve_maker(const std::string& name) {
   sched_param param{};
   pthread_getschedparam(pthread_self(), &policy, &param);
   if (policy != SCHED_FIFO) return;
+  if (urgency == ServiceThread::Urgency::ordinary) {
+    param.sched_priority = 0;
+    pthread_setschedparam(pthread_self(), SCHED_OTHER, &param);
+    return;
+  }
   param.sched_priority = std::min(param.sched_priority + 1, sched_get_priority_max(SCHED_FIFO));
   pthread_setschedparam(pthread_self(), SCHED_FIFO, &param);
 }
 
 }  // namespace
 
-ServiceThread::ServiceThread(std::string name, std::function<void(const StopFlag&)> body)
-    : thread_([this, name = std::move(name), body = std::move(body)] {
-        serve_maker(name);
+ServiceThread::ServiceThread(std::string name, std::function<void(const StopFlag&)> body,
+                             Urgency urgency)
+    : thread_([this, name = std::move(name), body = std::move(body), urgency] {
+        serve_maker(name, urgency);
         body(stop_);
       }) {}
 

@@ -9,13 +9,17 @@
 
 namespace trocar {
 
-/// A thread that serves a loop, such as one that waits for a device in its place. It is more urgent
-/// than the thread that makes it, by one step of SCHED_FIFO, where that one is real-time, and runs
-/// on any processor; else it is an ordinary thread.
+/// A thread that serves a loop, such as one that waits for a device in its place, on any processor.
 class ServiceThread {
  public:
+  enum class Urgency {
+    above_maker,  // by one step of SCHED_FIFO than the thread that makes it, if that is real-time
+    ordinary      // for what the loop can do without
+  };
+
   /// @param body ends soon after the flag is raised, and throws nothing
-  ServiceThread(std::string name, std::function<void(const StopFlag&)> body);
+  ServiceThread(std::string name, std::function<void(const StopFlag&)> body,
+                Urgency urgency = Urgency::above_maker);
   ~ServiceThread();
   ServiceThread(const ServiceThread&) = delete;
   ServiceThread& operator=(const ServiceThread&) = delete;

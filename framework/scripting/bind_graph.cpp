@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "framework/component_definition.hpp"
 #include "framework/scripting/script_context.hpp"
 #include "framework/text.hpp"
 
@@ -232,11 +233,16 @@ int trocar_index(lua_State* state) {
                           fmt::format("there is no trocar.{}{}", name, suggestion(name, known)));
 }
 
+/// The entry that a component's ports follow from.
+bool defines(const Graph::Node& node, const std::string& key) {
+  return node.type != nullptr && node.type->definition && node.type->definition->entry == key;
+}
+
 }  // namespace
 
 void apply_entry(lua_State* state, NodeId id, const std::string& key) {
   Graph& graph = context(state).graph();
-  if (key == "name") return;
+  if (key == "name" || defines(graph.node(id), key)) return;  // construct() has seen it
   // A declared parameter wins: a Step has a time that it calls "at", a Sine an angle "phase".
   const bool declared = graph.node(id).settings().find_parameter(key) != nullptr;
   if (key == "thread" && !declared) return;  // construct() has seen it
@@ -259,6 +265,7 @@ void apply_entry(lua_State* state, NodeId id, const std::string& key) {
     for (const InputPort* port : node.component->inputs()) known.push_back(port->name());
   for (const auto& each : node.exports.inputs) known.push_back(each.first);
   for (const char* common : {"name", "at", "rate", "phase", "thread"}) known.emplace_back(common);
+  if (node.type != nullptr && node.type->definition) known.push_back(node.type->definition->entry);
   graph.finding(where(state), fmt::format("{} (a {}) has no input or parameter \"{}\"{}", node.name,
                                           type_of(node), key, suggestion(key, known)));
 }
@@ -292,8 +299,11 @@ int construct(lua_State* state, const std::string& type, const std::string& spar
   Graph& graph = script.graph();
   const int table = lua_absindex(state, -1);
   const ThreadScope scope(graph, thread_given(state, table));
-  const auto id =
-      graph.add(type, given_name(state, table, spare_name), where(state), script.scope());
+  const std::string name = given_name(state, table, spare_name);
+  const ComponentType* known = graph.registry().find(type);
+  const auto id = known != nullptr && known->definition != nullptr
+                      ? add_defined(state, table, *known, name)
+                      : graph.add(type, name, where(state), script.scope());
   if (!id) {
     push(state, Placeholder{type});
     return 1;

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
+#include "framework/scripting/entry_lines.hpp"
 #include "framework/scripting/law_port_text.hpp"
 #include "framework/scripting/loop_definition.hpp"
 #include "framework/text.hpp"
@@ -22,15 +22,6 @@ const char* kind_name(LawKind kind) {
 
 LawPort vector_port(const char* name, const char* unit, const char* doc) {
   return {.name = name, .type = &type_info<Vector3>(), .unit = unit, .frame = "device", .doc = doc};
-}
-
-bool word_at(std::string_view line, std::size_t at, std::string_view word) {
-  const auto letter = [&](std::size_t i) {
-    return i < line.size() && (std::isalnum(static_cast<unsigned char>(line[i])) || line[i] == '_');
-  };
-  if ((at > 0 && letter(at - 1)) || letter(at + word.size())) return false;
-  const std::size_t next = line.find_first_not_of(" \t", at + word.size());
-  return next != std::string_view::npos && line[next] == '=';
 }
 
 /// Reads the definition at the top of a state's stack into `file`.
@@ -167,15 +158,6 @@ class LawReader {
   Findings& findings_;
 };
 
-/// "membrane.lua:7: what" becomes a finding at that line of the path.
-void add_error(const LawFile& file, std::string_view error, Findings& findings) {
-  int line = 0;
-  std::string_view what = error.substr(std::min(error.size(), file.name.size() + 1));
-  const auto end = std::from_chars(what.data(), what.data() + what.size(), line).ptr;
-  if (line > 0) what = what.substr(static_cast<std::size_t>(end - what.data()) + 1);
-  findings.add({file.path, line}, std::string(trim(what)));
-}
-
 }  // namespace
 
 PortOptions LawPort::options() const {
@@ -192,26 +174,8 @@ int LawPort::axes_of() const {
 }
 
 int LawFile::line_of(std::string_view section, std::string_view entry) const {
-  int line = 0, found = 1;
-  bool inside = false;
-  for (const std::string_view each : split(text, '\n')) {
-    ++line;
-    std::size_t from = 0;
-    if (!inside)
-      for (std::size_t at = each.find(section); at != std::string_view::npos && !inside;
-           at = each.find(section, at + 1))
-        if (word_at(each, at, section)) {
-          inside = true;
-          found = line;
-          from = at + section.size();
-        }
-    if (!inside) continue;
-    if (entry.empty()) return found;
-    for (std::size_t at = each.find(entry, from); at != std::string_view::npos;
-         at = each.find(entry, at + 1))
-      if (word_at(each, at, entry)) return line;
-  }
-  return found;
+  const std::string names[] = {std::string(section), std::string(entry)};
+  return line_of_entry(text, std::span(names).first(entry.empty() ? 1 : 2));
 }
 
 std::shared_ptr<const LawFile> read_law(LawKind kind, const std::string& name,
@@ -225,7 +189,7 @@ std::shared_ptr<const LawFile> read_law(LawKind kind, const std::string& name,
   LoopState state({}, file->name, 1);
   Findings found;
   if (!load_definition(state, file->kind, file->text))
-    add_error(*file, state.error(), found);
+    add_loop_error(file->name, file->path, state.error(), found);
   else
     LawReader(state.lua(), *file, found).read();
   for (const Finding& each : found.all()) findings.add(each.where, each.message);

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+
 #include "framework/scripting/loop_world.hpp"
+#include "framework/text.hpp"
 
 namespace trocar::lua {
 namespace {
@@ -67,6 +71,15 @@ bool load_definition(LoopState& loop, LawKind kind, std::string_view text) {
                     lua_isnil(state, -1) ? "nothing" : "a " + std::string(luaL_typename(state, -1)),
                     wanted));
   return false;
+}
+
+void add_loop_error(std::string_view name, const std::string& path, std::string_view error,
+                    Findings& findings) {
+  int line = 0;
+  std::string_view what = error.substr(std::min(error.size(), name.size() + 1));
+  const auto end = std::from_chars(what.data(), what.data() + what.size(), line).ptr;
+  if (line > 0) what = what.substr(static_cast<std::size_t>(end - what.data()) + 1);
+  findings.add({path, line}, std::string(trim(what)));
 }
 
 }  // namespace trocar::lua

@@ -161,6 +161,10 @@ std::optional<std::string> read_file(const std::filesystem::path& path);
 /// Calls constructor `type` with the table at the top of the stack; pushes the component.
 /// @param spare_name where the table gives none; "" is the type's
 int construct(lua_State* state, const std::string& type, const std::string& spare_name = "");
+/// Adds a component of a type with a definition, which the table at index `table` has; nothing, and
+/// findings, where it is wrong.
+std::optional<NodeId> add_defined(lua_State* state, int table, const ComponentType& type,
+                                  const std::string& name);
 /// Gives a new component or group what the table at the top says; pushes the component.
 int apply_entries(lua_State* state, NodeId node);
 /// Whether components of this type are made by a file in Lua.

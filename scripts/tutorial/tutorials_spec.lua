@@ -137,3 +137,32 @@ describe("12_reload", function()
     expect(run["groove.force.x"]):within("-0.8 N", "0.2 N")
   end)
 end)
+
+describe("13_spacemouse", function()
+  local run
+  before_each(function()
+    run = trocar.load("13_spacemouse.lua"):run { duration = "4 s" }
+    expect(run.faults):empty()
+  end)
+
+  it("moves the goal while the cap is pushed, and keeps it when nobody pushes", function()
+    local goal = run["steer.goal.x"]
+    expect(goal):within("0.3 mm", "0.5 mm", { to = "0.49 s" })
+    expect(run:at("steer.goal.x", "1 s") - run:at("steer.goal.x", "0.49 s")):near("30 mm", { within = "1 %" })
+    expect(run["mouse.translation.x"]):always("==", 0, { from = "1.1 s" })
+  end)
+
+  it("takes the tool along", function()
+    expect(run["laparoscope.tool.tip.position.x"]):settles("35.4 mm", { before = "2.5 s", within = "0.5 mm" })
+  end)
+
+  it("is held up by the wall, as a hand is", function()
+    expect(run["wall.force.z"]):settles("-4.9 N", { before = "3 s", within = "0.1 N" })
+    expect(run["steer.force"]:norm()):always("<=", "6.5 N")
+  end)
+
+  it("knows that the mouse is there, and when it sends", function()
+    expect(run["mouse.status"]):crosses(1.5, { times = 4 })
+    expect(run["mouse.connections"]):always("==", 1)
+  end)
+end)

@@ -65,7 +65,8 @@ class TestCompletion : public QObject {
     row("scripts, behind an option with a value", {"run", "--for", "5s", "scripts/tutorial/01"},
         {wall});
     row("folders on the way to a script", {"check", "scripts/"},
-        {"scripts/dev", "scripts/experiments", "scripts/fixtures", "scripts/tutorial"});
+        {"scripts/dev", "scripts/experiments", "scripts/fixtures", "scripts/layouts",
+         "scripts/tutorial"});
     row("no other file for a script", {"check", "READ"}, {});
     row("any file where any will do", {"graph", wall, "-o", "READ"}, {"README.md"});
     row("components", {"describe", "Wal"}, {"Wall"});

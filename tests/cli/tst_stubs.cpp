@@ -94,6 +94,15 @@ class TestStubs : public QObject {
     QVERIFY(has(class_text(text, "trocar.Delay.Settings"), "---@field initial any\n"));
   }
 
+  void what_a_definition_declares_may_be_read() {
+    const std::string text = components_stub(registry_);
+    QVERIFY(has(class_text(text, "trocar.GenericHid.Settings"), "---@field layout any\n"));
+    const std::string instance = class_text(text, "trocar.GenericHid");
+    QVERIFY(has(instance + "\n", "---@field [string] trocar.Output.any\n"));
+    QVERIFY(has(instance, "---@field status trocar.Output.Enumeration\n"));
+    QVERIFY(!has(instance, "---@field layout"));
+  }
+
   void a_group_has_sites_parts_and_dotted_keys() {
     const std::string text = components_stub(registry_);
     const std::string instance = class_text(text, "trocar.Laparoscope");

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <set>
 
+#include "framework/component_definition.hpp"
+#include "framework/scripting/definition_file.hpp"
 #include "framework/wired_graph.hpp"
 #include "tests/support/allocation_counter.hpp"
 
@@ -112,11 +114,22 @@ std::optional<Literal> plausible(const ParameterBase& parameter) {
   return std::nullopt;
 }
 
+/// A type with a definition has one that is shipped.
+NodeId add_alone(Graph& graph, const std::string& type, const Where& where) {
+  const ComponentType& known = *graph.registry().find(type);
+  if (!known.definition) return *graph.add(type, "", where);
+  const ComponentDefinition::Shipped& shipped = known.definition->shipped.front();
+  Findings wrong;
+  const auto value = lua::read_definition(shipped.name, shipped.name, shipped.text, wrong);
+  std::vector<DefinitionMistake> mistakes;
+  return *graph.add(defined_type(known, value.value(), mistakes), "", where, "");
+}
+
 /// The component alone, each input fed by a probe and each required parameter set.
 std::unique_ptr<WiredGraph> alone(const Registry& registry, const std::string& type) {
   Graph graph(registry);
   const Where where{"test", 1};
-  const NodeId node = *graph.add(type, "", where);
+  const NodeId node = add_alone(graph, type, where);
   const Component& component = *graph.node(node).component;
   for (const ParameterBase* parameter : component.parameters()) {
     if (parameter->assigned()) continue;

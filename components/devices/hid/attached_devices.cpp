@@ -101,14 +101,16 @@ std::string DeviceSelection::text() const {
     return n ? fmt::format("{:04x}", *n) : std::string("any");
   };
   std::string text = number(vendor) + ":" + number(product);
+  for (const std::uint16_t other : or_products) text += " or " + number(other);
   if (!serial.empty()) text += ", serial " + serial;
   return text;
 }
 
 bool DeviceSelection::fits(const AttachedDevice& device) const {
   if (!path.empty()) return device.path == path;
-  return vendor.value_or(device.vendor) == device.vendor &&
-         product.value_or(device.product) == device.product &&
+  const bool fitting = product.value_or(device.product) == device.product ||
+                       std::count(or_products.begin(), or_products.end(), device.product) > 0;
+  return vendor.value_or(device.vendor) == device.vendor && fitting &&
          (serial.empty() || serial == device.serial);
 }
 

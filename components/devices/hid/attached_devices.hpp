@@ -27,6 +27,7 @@ std::vector<AttachedDevice> attached_devices();
 /// Which device is meant. What is not given fits any.
 struct DeviceSelection {
   std::optional<std::uint16_t> vendor{}, product{};
+  std::vector<std::uint16_t> or_products{};  // as good as `product`
   std::string serial{};
   std::string path{};  // alone decides, where it is given
 

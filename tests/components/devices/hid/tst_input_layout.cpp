@@ -36,15 +36,14 @@ class TestInputLayout : public QObject {
     QFETCH(bool, is_signed);
     QFETCH(double, value);
     const std::uint8_t bytes[] = {0xA5, 0x0F, 0x80, 0xFF, 0xFF};
-    const InputLayout layout(
-        {{.name = "f", .bit = bit, .bits = bits, .is_signed = is_signed, .unit = ""}});
+    const InputLayout layout({{.name = "f", .offset = bit, .bits = bits, .is_signed = is_signed}});
     double read = 0;
     QVERIFY(layout.decode(bytes, {&read, 1}));
     QCOMPARE(read, value);
   }
 
   void centre_and_scale() {
-    const InputLayout layout({{.name = "f", .centre = 128, .scale = -0.5, .unit = "m"}});
+    const InputLayout layout({{.name = "f", .centre = 128, .scale = -0.5}});
     const std::uint8_t bytes[] = {130};
     double read = 0;
     QVERIFY(layout.decode(bytes, {&read, 1}));
@@ -52,9 +51,9 @@ class TestInputLayout : public QObject {
   }
 
   void a_report_changes_its_own_fields_alone() {
-    const InputLayout layout({{.name = "a", .report = 1, .bit = 8, .unit = ""},
-                              {.name = "b", .report = 2, .bit = 8, .unit = ""},
-                              {.name = "c", .report = 2, .bit = 16, .unit = ""}});
+    const InputLayout layout({{.name = "a", .report = 1, .offset = 8},
+                              {.name = "b", .report = 2, .offset = 8},
+                              {.name = "c", .report = 2, .offset = 16}});
     double values[] = {-1, -1, -1};
     const std::uint8_t first[] = {1, 10}, second[] = {2, 20, 30}, third[] = {3, 1, 1};
     QVERIFY(layout.decode(first, values));
@@ -78,18 +77,21 @@ class TestInputLayout : public QObject {
     QTest::newRow("no bits") << "1 to 32" << 2;
     QTest::newRow("too many bits") << "1 to 32" << 3;
     QTest::newRow("in the number") << "the report's number" << 4;
-    QTest::newRow("negative bit") << "bit is -1" << 5;
-    QTest::newRow("beyond a report") << "bit is 8192" << 6;
+    QTest::newRow("negative bit") << "offset = -1" << 5;
+    QTest::newRow("beyond a report") << "offset = 8192" << 6;
     QTest::newRow("report 256") << "1 to 255" << 7;
     QTest::newRow("no scale") << "not zero" << 8;
     QTest::newRow("scale not finite") << "finite" << 9;
-    QTest::newRow("numbered or not") << "numbers its reports" << 10;
+    QTest::newRow("numbered or not") << "a device numbers all its reports" << 10;
+    QTest::newRow("one behind the other") << "" << 11;
+    QTest::newRow("one in the other")
+        << "bits 12 to 19 of report 1 overlap with \"f\", 8 to 15" << 12;
   }
   void what_is_wrong_is_named() {
     QFETCH(QString, says);
     QFETCH(int, what);
-    InputField f{.name = "f", .report = 1, .bit = 8, .unit = ""};
-    InputField other{.name = "other", .report = 1, .bit = 16, .unit = ""};
+    InputField f{.name = "f", .report = 1, .offset = 8};
+    InputField other{.name = "other", .report = 1, .offset = 16};
     switch (what) {
       case 0:
         f.name.clear();
@@ -104,13 +106,13 @@ class TestInputLayout : public QObject {
         f.bits = 33;
         break;
       case 4:
-        f.bit = 7;
+        f.offset = 7;
         break;
       case 5:
-        f.bit = -1;
+        f.offset = -1;
         break;
       case 6:
-        f.bit = 8192;
+        f.offset = 8192;
         break;
       case 7:
         f.report = 256;
@@ -124,17 +126,20 @@ class TestInputLayout : public QObject {
       case 10:
         f.report = 0;
         break;
+      case 12:
+        other.offset = 12;
+        break;
     }
     try {
       InputLayout({f, other});
-      QFAIL("it was accepted");
+      QVERIFY2(says.isEmpty(), "it was accepted");
     } catch (const std::invalid_argument& error) {
       QVERIFY2(QString::fromStdString(error.what()).contains(says), error.what());
     }
   }
 
   void allocates_nothing() {
-    const InputLayout layout({{.name = "a", .report = 1, .bit = 8, .unit = ""}});
+    const InputLayout layout({{.name = "a", .report = 1, .offset = 8}});
     const std::uint8_t bytes[] = {1, 10};
     double value = 0;
     QCOMPARE(trocar::test::allocations_in([&] { layout.decode(bytes, {&value, 1}); }), 0);
