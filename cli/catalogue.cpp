@@ -13,6 +13,14 @@ bool is_group(const ComponentType& type) {
   return !type.make;
 }
 
+/// Its line, with what a reader may want to know besides.
+std::string line_of(const ComponentType& type) {
+  std::string line = type.doc;
+  if (is_group(type)) line += " (group)";
+  if (!type.plugin.empty()) line += " (plugin " + type.plugin + ")";
+  return line;
+}
+
 }  // namespace
 
 std::vector<std::string> categories_of(const Registry& registry) {
@@ -33,8 +41,7 @@ std::string catalogue_text(const Registry& registry) {
     TextTable lines;
     for (const ComponentType& type : registry.types())
       if (type.category == category)
-        lines.row({type.name + std::string(widest - display_width(type.name), ' '),
-                   is_group(type) ? type.doc + " (group)" : type.doc});
+        lines.row({type.name + std::string(widest - display_width(type.name), ' '), line_of(type)});
     text += category + '\n' + lines.text() + '\n';
   }
   return text + "One of them in full: trocar describe " + registry.types().front().name + "\n";
@@ -43,10 +50,12 @@ std::string catalogue_text(const Registry& registry) {
 nlohmann::ordered_json catalogue_json(const Registry& registry) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ComponentType& type : registry.types())
-    list.push_back({{"name", type.name},
-                    {"category", type.category},
-                    {"doc", type.doc},
-                    {"group", is_group(type)}});
+    list.push_back(
+        {{"name", type.name},
+         {"category", type.category},
+         {"doc", type.doc},
+         {"group", is_group(type)},
+         {"plugin", type.plugin.empty() ? nullptr : nlohmann::ordered_json(type.plugin)}});
   return {{"components", list}};
 }
 

@@ -4,20 +4,19 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/available.hpp"
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/preflight.hpp"
 #include "cli/script_options.hpp"
-#include "components/register.hpp"
 #include "framework/scripting/script.hpp"
 
 namespace trocar::cli {
 namespace {
 
 Findings findings_of(const ScriptOptions& script, std::size_t& components) {
-  Registry registry;
-  register_components(registry);
+  const Registry registry = available_components();
   SessionOptions options{.check_only = true};
   Graph::Overrides script_arguments;
   script.split(options.set, script_arguments);
@@ -55,8 +54,7 @@ int check(const ScriptOptions& script, bool json) {
 
 int fly(const ScriptOptions& script, const std::string& duration, AllocationCount allocations,
         bool json) {
-  Registry registry;
-  register_components(registry);
+  const Registry registry = available_components();
   SessionOptions options{.seed = script.seed, .print_to_stderr = json};
   if (!duration.empty()) options.duration = duration_of(duration, "--for");
   options.allocations = allocations;

@@ -21,6 +21,7 @@ constexpr std::string_view help_text =
     "acknowledge               acknowledge a fault\n"
     "home                      let a device find its references\n"
     "engage                    render again\n"
+    "note the gel is dry       a remark for the log\n"
     "end                       end the run\n"
     "Tab completes, arrow keys go back to earlier lines.\n";
 
@@ -37,7 +38,7 @@ bool is_part_of(const std::string& signal, const std::string& name) {
 
 std::vector<std::string> commands() {
   std::vector<std::string> names = request_names();
-  names.insert(names.end(), {"list", "help"});
+  names.insert(names.end(), {"list", "help", "note"});
   return names;
 }
 
@@ -58,6 +59,10 @@ std::string Console::answer(std::string_view line, RunControl& control) const {
   if (line == "help") return std::string(help_text);
   if (line == "list" || line.starts_with("list "))
     return answer_list(trim(line.substr(4)), control);
+  if (line.starts_with("note ")) {
+    control.annotate(std::string(trim(line.substr(5))));
+    return "noted\n";
+  }
   if (const auto kind = request_named(line)) {
     control.request(*kind);
     return fmt::format("asked: {}\n", line);

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/available.hpp"
 #include "cli/commands.hpp"
 #include "cli/description.hpp"
 #include "cli/output.hpp"
-#include "components/register.hpp"
 
 namespace trocar::cli {
 namespace {
@@ -17,8 +17,7 @@ struct Options {
 };
 
 int describe_one(const Options& options) {
-  Registry registry;
-  register_components(registry);
+  const Registry registry = available_components();
   std::optional<Description> description;
   try {
     description = describe(registry, options.name);

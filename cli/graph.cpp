@@ -3,10 +3,10 @@
 
 #include <memory>
 
+#include "cli/available.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/script_options.hpp"
-#include "components/register.hpp"
 #include "framework/graph_dot.hpp"
 #include "framework/graph_json.hpp"
 #include "framework/graph_mermaid.hpp"
@@ -28,8 +28,7 @@ std::string graph_text(const Graph& graph, const WiredGraph& wired, const std::s
 }
 
 int draw(const Options& options) {
-  Registry registry;
-  register_components(registry);
+  const Registry registry = available_components();
   SessionOptions session_options{.seed = options.script.seed, .check_only = true};
   session_options.print_to_stderr = true;
   Graph::Overrides script_arguments;

@@ -8,14 +8,15 @@
 #include <memory>
 #include <optional>
 
+#include "cli/available.hpp"
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/intervention.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/script_options.hpp"
+#include "cli/serving.hpp"
 #include "cli/timing_options.hpp"
-#include "components/register.hpp"
 #include "framework/report.hpp"
 #include "framework/scripting/script.hpp"
 
@@ -35,6 +36,7 @@ struct RunArguments {
   std::string json;
   bool console = false;
   bool watch = false;
+  Serving serving;
 };
 
 /// A file that cannot be written is found before the run, and one that was there stays whole.
@@ -62,7 +64,7 @@ SessionOptions session_options(const RunArguments& arguments) {
   return options;
 }
 
-int run(const RunArguments& arguments) {
+int run(RunArguments& arguments) {
   if (!arguments.json.empty() && arguments.json != "-") check_writable(arguments.json);
   const bool simulated = arguments.clock == to_string(ClockKind::simulated);
   if (arguments.console && simulated)
@@ -71,8 +73,7 @@ int run(const RunArguments& arguments) {
     throw CLI::ValidationError("--watch",
                                "needs --clock realtime; `reloads` of trocar.run does the "
                                "same in virtual time");
-  Registry registry;
-  register_components(registry);
+  const Registry registry = available_components();
   SessionOptions options = session_options(arguments);
   Graph::Overrides script_arguments;
   arguments.script.split(options.set, script_arguments);
@@ -83,6 +84,7 @@ int run(const RunArguments& arguments) {
   std::optional<Intervention> intervention;
   if (options.clock != ClockKind::simulated)
     intervention.emplace(arguments.console, arguments.watch).add_to(options);
+  arguments.serving.start(registry, options);
   Session session(registry, options);
   int status = success;
   try {
@@ -127,6 +129,7 @@ void add_run(CLI::App& app, int& status) {
       ->type_name("FILE.mcap|off");
   command->add_flag("--watch", arguments->watch,
                     "Reload laws (LuaFixture, LuaComponent) whose files are saved");
+  arguments->serving.add_to(*command);
   command->add_flag("--console", arguments->console,
                     "Type while it runs: names of signals and parameters, wall.stiffness = 3 N/mm, "
                     "help");

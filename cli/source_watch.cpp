@@ -2,6 +2,7 @@
 #include "cli/source_watch.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -22,7 +23,8 @@ std::string file_name(const std::string& path) {
 }  // namespace
 
 void SourceWatch::tell(const std::string& text) const {
-  fmt::print(stderr, "\r\033[K{}\n", text);
+  static const bool terminal = isatty(STDERR_FILENO) == 1;
+  fmt::print(stderr, "{}{}\n", terminal ? "\r\033[K" : "", text);
 }
 
 bool SourceWatch::look(RunControl& control) {

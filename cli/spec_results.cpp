@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "cli/available.hpp"
 #include "cli/output.hpp"
 #include "cli/process_pool.hpp"
-#include "components/register.hpp"
 
 namespace trocar::cli {
 namespace {
@@ -57,17 +57,11 @@ json to_json(const Findings& findings) {
   return list;
 }
 
-Registry all_components() {
-  Registry registry;
-  register_components(registry);
-  return registry;
-}
-
 /// In a process of its own.
 std::string list_one(const std::string& file) {
   json answer = {{"tests", json::array()}, {"findings", json::array()}};
   try {
-    for (const SpecTest& test : list_spec(all_components(), file))
+    for (const SpecTest& test : list_spec(available().registry, file))
       answer["tests"].push_back({{"name", test.name}, {"where", to_json(test.where)}});
   } catch (const BrokenGraph& broken) {
     answer["findings"] = to_json(broken.findings);
@@ -83,7 +77,8 @@ std::string list_one(const std::string& file) {
 std::string run_one(const SpecResult& test, const SpecOptions& options) {
   json answer = json::array();
   try {
-    for (const SpecFailure& failure : run_spec(all_components(), test.file, test.index, options))
+    for (const SpecFailure& failure :
+         run_spec(available().registry, test.file, test.index, options))
       answer.push_back(to_json(failure));
   } catch (const std::exception& error) {
     answer.push_back(to_json(SpecFailure{.where = test.test.where, .message = error.what()}));

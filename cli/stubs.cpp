@@ -9,10 +9,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "cli/available.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/script_options.hpp"
-#include "components/register.hpp"
 
 namespace trocar::cli {
 namespace {
@@ -59,8 +59,7 @@ void say(const std::string& file, Written written, const std::string& advice = "
 }
 
 int write_all(const StubOptions& options) {
-  Registry registry;
-  register_components(registry);
+  const Registry registry = available_components();
   ScriptNames names;
   try {
     names = names_of(registry, options.scripts);

@@ -85,7 +85,20 @@ trocar = {}
 ---@field set? trocar.Set parameters for this run; --set wins
 ---@field edits? trocar.Edit[] live parameters at their times, ramped in 0.2 s
 ---@field keep? trocar.SignalOf[] only these signals are kept for the results (all)
----@field requests? { at: trocar.Quantity, ask: "stop"|"acknowledge"|"engage"|"end" }[] an operator's
+---@field reloads? trocar.Reload[] laws of files that take over at their times
+---@field requests? { at: trocar.Quantity, ask: "stop"|"acknowledge"|"home"|"engage"|"end" }[] an operator's
+
+---A law's new version: the component's name = a file beside the script.
+---@class trocar.Reload
+---@field at trocar.Quantity
+---@field [string] string
+
+---What came of it.
+---@class trocar.ReloadVerdict
+---@field component string
+---@field file string
+---@field time number [s]
+---@field trouble string why it was refused or given up; "" when it took over
 
 ---Runs the graph and waits for the result.
 ---@param options trocar.RunOptions
@@ -110,6 +123,7 @@ function trocar.publish(name, row) end
 ---@field ticks integer
 ---@field rate number [Hz]
 ---@field faults string[] empty when all went well
+---@field reloads trocar.ReloadVerdict[]
 ---@field [string] trocar.Signal
 local Run = {}
 ---Least squares, y = slope x + offset.

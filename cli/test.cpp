@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/available.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/script_options.hpp"
@@ -77,6 +78,7 @@ int test(const TestArguments& arguments) {
   options.spec.seed = arguments.seed;
   options.at_once = arguments.jobs;
   options.timeout = duration_of(arguments.timeout, "--timeout");
+  warn_of_refused(available().plugins);  // here once, and not in the process of each test
   Findings broken;
   std::vector<SpecResult> tests;
   try {

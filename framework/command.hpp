@@ -24,6 +24,7 @@ struct Command {
     home,
     stop_rendering,
     end,
+    annotate,
     replace,  // what a ticket has made ready; where it has nothing, the refusal is reported
     reload    // in virtual time: the ticket makes it ready first
   };
@@ -34,6 +35,7 @@ struct Command {
   const char* owner = "";  // component
   std::array<double, max_axes> target{};
   ReloadTicket* ticket = nullptr;  // of replace and reload
+  const char* text = "";           // of annotate; lives as long as the run
 };
 
 /// What an operator asks of all threads of a run at once, at a time or now.

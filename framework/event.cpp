@@ -31,6 +31,8 @@ const char* to_string(Event::Kind kind) RT_SAFE {
       return "reload refused";
     case Event::Kind::reload_undone:
       return "reload undone";
+    case Event::Kind::annotated:
+      return "annotated";
     case Event::Kind::rows_missed:
       return "rows missed";
   }

@@ -24,6 +24,7 @@ struct Event {
     reloaded,        // a part of a component was replaced by a new version
     reload_refused,  // the new version did not reach the loop
     reload_undone,   // it did, and was given up
+    annotated,       // somebody's remark
     rows_missed      // by who writes it down: `value` records before this one
   };
   Kind kind = Kind::started;

@@ -47,6 +47,11 @@ void Executor::obey(const Command& command, const Tick& tick) RT_SAFE {
     case Command::Kind::end:
       end();
       return;
+    case Command::Kind::annotate:
+      event.kind = Event::Kind::annotated;
+      event.detail = command.text;
+      send(event);
+      return;
     case Command::Kind::reload:
       command.ticket->prepare(tick.time);
       replace(*command.ticket, event);

@@ -71,6 +71,7 @@ class ParameterBase {
 
   /// Narrows the range for a reason that the component found when it was configured.
   void limit(double max, std::string reason);
+  double min() const { return min_; }
   double max() const { return max_; }
   const std::string& limit_reason() const { return limit_reason_; }
 

@@ -19,6 +19,16 @@ void Registry::add(ComponentType type) {
   types_.push_back(std::move(type));
 }
 
+void Registry::add(ServiceType service) {
+  if (!is_name(service.name) || !std::islower(static_cast<unsigned char>(service.name.front())))
+    throw std::invalid_argument(
+        fmt::format("service \"{}\": a lowercase word is needed, e.g. \"foxglove\"", service.name));
+  for (const ServiceType& other : services_)
+    if (other.name == service.name)
+      throw std::invalid_argument(fmt::format("service \"{}\" exists already", service.name));
+  services_.push_back(std::move(service));
+}
+
 const ComponentType* Registry::find(std::string_view name) const {
   for (const ComponentType& type : types_)
     if (type.name == name) return &type;

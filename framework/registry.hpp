@@ -10,6 +10,7 @@
 
 #include "framework/component.hpp"
 #include "framework/group.hpp"
+#include "framework/service.hpp"
 
 namespace trocar {
 
@@ -23,10 +24,11 @@ struct ComponentType {
   std::function<std::unique_ptr<Component>()> make;  // empty for a group
   std::function<std::unique_ptr<Group>()> make_group;
   std::shared_ptr<const ComponentDefinition> definition{};  // of ports that a script defines
+  std::string plugin{};  // that brought it; "" for one of Trocar's own
 };
 
-/// The component types and groups that scripts can use. An object like any other: nothing
-/// registers itself behind the reader's back.
+/// The component types and groups that scripts can use, and the services beside them. An object
+/// like any other: nothing registers itself behind the reader's back.
 class Registry {
  public:
   /// @throw std::invalid_argument when the name is taken or not CamelCase.
@@ -41,13 +43,18 @@ class Registry {
   }
   void add(ComponentType type);
 
+  /// @throw std::invalid_argument when the name is taken or not a lowercase word.
+  void add(ServiceType service);
+
   const ComponentType* find(std::string_view name) const;
   std::vector<std::string> names() const;
   /// In the order of registration.
   const std::deque<ComponentType>& types() const { return types_; }
+  const std::deque<ServiceType>& services() const { return services_; }
 
  private:
   std::deque<ComponentType> types_;  // graphs point to its elements
+  std::deque<ServiceType> services_;
 };
 
 }  // namespace trocar

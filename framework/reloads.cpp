@@ -16,10 +16,19 @@ std::string ReloadVerdict::text() const {
                                        component, time, trouble);
 }
 
+ReloadTicket::ReloadTicket(Reloads& all, Reload reload, Replaceable& part, const char* owner)
+    : all_(all), reload_(std::move(reload)), part_(part), owner_(owner) {
+  verdict_ = {.component = owner_,
+              .file = reload_.file,
+              .code = reload_.text,
+              .time = reload_.at,
+              .trouble = "the run ended before"};
+}
+
 void ReloadTicket::prepare(double time) {
   all_.collect();
-  verdict_ = {
-      .component = owner_, .file = reload_.file, .code = reload_.text, .time = time, .trouble = ""};
+  verdict_.time = time;
+  verdict_.trouble.clear();
   try {
     version_ = part_.prepare(reload_);
   } catch (const std::exception& error) {
@@ -77,8 +86,7 @@ std::vector<ReloadVerdict> Reloads::take_troubles() {
 std::vector<ReloadVerdict> Reloads::verdicts() {
   collect();
   std::vector<ReloadVerdict> verdicts;
-  for (const ReloadTicket& ticket : tickets_)
-    if (!ticket.verdict().component.empty()) verdicts.push_back(ticket.verdict());
+  for (const ReloadTicket& ticket : tickets_) verdicts.push_back(ticket.verdict());
   return verdicts;
 }
 

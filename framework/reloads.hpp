@@ -18,8 +18,7 @@ class Reloads;
 /// A reload on its way, and what came of it.
 class ReloadTicket {
  public:
-  ReloadTicket(Reloads& all, Reload reload, Replaceable& part, const char* owner)
-      : all_(all), reload_(std::move(reload)), part_(part), owner_(owner) {}
+  ReloadTicket(Reloads& all, Reload reload, Replaceable& part, const char* owner);
 
   /// Makes the version ready, after what the loop has released was freed.
   /// @param time [s] of the run

@@ -107,6 +107,27 @@ void require_pacer(const WiredGraph& wired) {
       "simulated, or a device = \"hid\"");
 }
 
+struct DueReload {
+  double at = 0.0;  // [s]
+  Reloads::Issued issued;
+};
+
+/// All of them before the run, so that a name of no component is found then; in the order of their
+/// times.
+/// @throw std::invalid_argument
+std::deque<DueReload> announce(const std::vector<Reload>& reloads, Reloads& all) {
+  std::deque<DueReload> due;
+  for (const Reload& reload : reloads) due.push_back({reload.at, all.issue(reload)});
+  std::stable_sort(due.begin(), due.end(),
+                   [](const DueReload& a, const DueReload& b) { return a.at < b.at; });
+  return due;
+}
+
+bool all_begun(std::deque<Executor>& executors) {
+  return std::all_of(executors.begin(), executors.end(),
+                     [](Executor& executor) { return executor.heartbeat().begun(); });
+}
+
 }  // namespace
 
 const char* to_string(ClockKind clock) {
@@ -166,18 +187,13 @@ RunResult run(const Graph& graph, const RunOptions& options) {
                              .not_before = std::llround(request.at / wired->groups()[i].period())});
   std::deque<CommandQueue> queues(layouts.size());
   Reloads reloads(*wired);
-  std::deque<Reload> to_come;  // in real time
-  for (const Reload& reload : options.reloads) {
-    if (!simulated) {
-      to_come.push_back(reload);
-      continue;
-    }
-    const Reloads::Issued issued = reloads.issue(reload);
-    const double period = wired->groups()[issued.group].period();
-    commands[issued.group].push_back({.kind = Command::Kind::reload,
-                                      .not_before = std::llround(reload.at / period),
-                                      .ticket = issued.ticket});
-  }
+  std::deque<DueReload> to_come = announce(options.reloads, reloads);
+  if (simulated)
+    for (const auto& [at, issued] : std::exchange(to_come, {}))
+      commands[issued.group].push_back(
+          {.kind = Command::Kind::reload,
+           .not_before = std::llround(at / wired->groups()[issued.group].period()),
+           .ticket = issued.ticket});
 
   StopFlag ended;
   std::deque<Executor> executors;
@@ -207,8 +223,9 @@ RunResult run(const Graph& graph, const RunOptions& options) {
     operator_input.emplace(
         [&] {
           control.flush();
+          if (all_begun(executors)) control.begin();
           while (!to_come.empty() && to_come.front().at <= control.time()) {
-            control.reload(to_come.front());
+            control.reload(to_come.front().issued);
             to_come.pop_front();
           }
           return options.operator_input && options.operator_input(control);

@@ -43,7 +43,6 @@ RunControl::RunControl(const Graph& graph, const WiringOptions& options, const W
       live_(live),
       queues_(queues),
       reloads_(reloads),
-      begin_ns_(monotonic_ns()),
       waiting_(queues.size()) {}
 
 RunControl::~RunControl() = default;
@@ -73,16 +72,29 @@ void RunControl::set(const std::string& key, const Literal& value) {
   flush();
 }
 
+void RunControl::annotate(std::string text) {
+  remarks_.push_back(std::move(text));
+  waiting_.front().push_back({.kind = Command::Kind::annotate, .text = remarks_.back().c_str()});
+  flush();
+}
+
 std::string RunControl::reload(Reload reload) {
-  const Reloads::Issued issued = reloads_.issue(std::move(reload));
+  return this->reload(reloads_.issue(std::move(reload)));
+}
+
+std::string RunControl::reload(const Reloads::Issued& issued) {
   issued.ticket->prepare(time());
   waiting_[issued.group].push_back({.kind = Command::Kind::replace, .ticket = issued.ticket});
   flush();
   return issued.ticket->trouble();
 }
 
+void RunControl::begin() {
+  if (!begin_ns_) begin_ns_ = monotonic_ns();
+}
+
 double RunControl::time() const {
-  return 1e-9 * static_cast<double>(monotonic_ns() - begin_ns_);
+  return begin_ns_ ? 1e-9 * static_cast<double>(monotonic_ns() - *begin_ns_) : 0.0;
 }
 
 std::string RunControl::text(const std::string& key) {
@@ -100,13 +112,30 @@ std::string RunControl::text(const std::string& key) {
   throw BrokenGraph(findings);
 }
 
-std::vector<std::string> RunControl::live_keys() {
-  std::vector<std::string> keys;
+std::vector<ParameterState> RunControl::parameters() {
+  std::vector<ParameterState> all;
   for (const RateGroup& group : twin().wired->groups())
     for (const ScheduleItem& item : group.schedule())
-      for (ParameterBase* parameter : item.component->parameters())
-        if (parameter->live() && !parameter->numbers().empty())
-          keys.push_back(item.component->name() + "." + parameter->name());
+      for (ParameterBase* parameter : item.component->parameters()) {
+        ParameterState one{.key = item.component->name() + "." + parameter->name(),
+                           .text = parameter->assigned() ? parameter->text() : "",
+                           .unit = parameter->shown_unit(),
+                           .min = parameter->min(),
+                           .max = parameter->max(),
+                           .doc = parameter->doc(),
+                           .choices = parameter->choices(),
+                           .live = parameter->live() && !parameter->numbers().empty()};
+        const std::span<const double> numbers = parameter->numbers();
+        one.numbers.assign(numbers.begin(), numbers.end());
+        all.push_back(std::move(one));
+      }
+  return all;
+}
+
+std::vector<std::string> RunControl::live_keys() {
+  std::vector<std::string> keys;
+  for (ParameterState& one : parameters())
+    if (one.live) keys.push_back(std::move(one.key));
   return keys;
 }
 

@@ -50,6 +50,7 @@ Session::Session(const Registry& registry, SessionOptions options)
 
 void Session::add_script(std::string name, std::string text) {
   if (log_) try_log([&] { log_->attach(name, "text/x-lua", text); });
+  for (Service* service : options_.services) service->add_script(name, text);
   scripts_.emplace_back(std::move(name), std::move(text));
 }
 
@@ -112,6 +113,18 @@ void Session::attach_reloads(const RunResult& result) {
   }
 }
 
+/// Rows to all of them; each may intervene, as whoever started the session.
+void Session::add_services(RunOptions& wanted) const {
+  for (Service* service : options_.services) wanted.sinks.push_back(&service->rows());
+  wanted.operator_input = options_.operator_input;
+  if (options_.services.empty()) return;
+  wanted.operator_input = [this](RunControl& control) {
+    bool found = options_.operator_input && options_.operator_input(control);
+    for (Service* service : options_.services) found = service->operate(control) || found;
+    return found;
+  };
+}
+
 const SessionRun& Session::run(RunOptions wanted) {
   wanted.clock = options_.clock;
   wanted.timing = options_.timing;
@@ -122,7 +135,6 @@ const SessionRun& Session::run(RunOptions wanted) {
   wanted.wiring.virtual_time = options_.clock == ClockKind::simulated;
   wanted.allocations = options_.allocations;
   wanted.stop = options_.stop;
-  wanted.operator_input = options_.operator_input;
   wanted.wiring.reloadable = options_.reloadable;
   for (const auto& [key, setting] : options_.set) wanted.wiring.set.erase(key);
   const std::unique_ptr<WiredGraph> wired = wire(graph_, wanted.wiring);  // before a log is begun
@@ -149,6 +161,12 @@ const SessionRun& Session::run(RunOptions wanted) {
   const std::vector<RowSink*> captures = begin_captures(*wired);
   wanted.sinks.insert(wanted.sinks.end(), captures.begin(), captures.end());
   if (options_.watch != nullptr) wanted.sinks.push_back(options_.watch);
+  add_services(wanted);
+  for (Service* service : options_.services)
+    service->prepare({.virtual_time = wanted.wiring.virtual_time,
+                      .graph = graph_json(graph_, wired.get()),
+                      .recording = log_path_,
+                      .stop = options_.stop});
   one->result = trocar::run(graph_, wanted);
   if (log_) try_log([&] { attach_reloads(one->result); });
   one->captured = captures_.end();

@@ -11,6 +11,7 @@
 #include "framework/highlights.hpp"
 #include "framework/recording/log_file.hpp"
 #include "framework/run.hpp"
+#include "framework/service.hpp"
 #include "framework/session_captures.hpp"
 
 namespace trocar {
@@ -33,6 +34,7 @@ struct SessionOptions {
   std::function<bool(RunControl&)> operator_input{};  // see RunOptions
   bool reloadable = false;                            // laws may be reloaded by operator_input
   RowSink* watch = nullptr;                           // of every run
+  std::vector<Service*> services{};                   // beside every run
 };
 
 /// A row of results that a script published: names and values, in the script's order.
@@ -79,6 +81,7 @@ class Session {
   bool sound() const;
 
  private:
+  void add_services(RunOptions& wanted) const;
   void open_log(const WiredGraph* wired);
   void attach_reloads(const RunResult& result);
   std::string wanted_log() const;

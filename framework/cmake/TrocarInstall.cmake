@@ -24,6 +24,8 @@ install(FILES framework/scripting/script.hpp framework/scripting/spec.hpp
   DESTINATION ${trocar_include_dir}/framework/scripting)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/trocar PATTERN scripts/dev EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/plugins/example
+  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/trocar/plugins)
 install(FILES components/devices/hid/70-trocar.rules DESTINATION lib/udev/rules.d)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${trocar_doc_dir})
 install(FILES README.md CHANGELOG.md LICENSE framework/cmake/copyright DESTINATION ${trocar_doc_dir})
@@ -50,7 +52,8 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/TrocarConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/TrocarConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/TrocarConfig.cmake ${PROJECT_BINARY_DIR}/TrocarConfigVersion.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/TrocarCheckConsumer.cmake DESTINATION ${trocar_package_dir})
+  ${CMAKE_CURRENT_LIST_DIR}/TrocarCheckConsumer.cmake ${CMAKE_CURRENT_LIST_DIR}/TrocarPlugin.cmake
+  DESTINATION ${trocar_package_dir})
 
 file(RELATIVE_PATH trocar_pkgconfig_to_prefix /${trocar_pkgconfig_dir} /)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/trocar.pc.in ${PROJECT_BINARY_DIR}/trocar.pc @ONLY)

@@ -21,6 +21,7 @@ class Heartbeat {
   }
   /// By the loop: there is nothing more to watch.
   void end() RT_SAFE { last_.store(over, std::memory_order_release); }
+  bool begun() const RT_SAFE { return last_.load(std::memory_order_acquire) != none; }
   bool ended() const RT_SAFE { return last_.load(std::memory_order_acquire) == over; }
 
   /// By the watcher.

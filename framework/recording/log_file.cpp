@@ -8,25 +8,13 @@
 #include <map>
 
 #include "framework/recording/cdr.hpp"
+#include "framework/recording/event_message.hpp"
 
 namespace trocar {
 namespace {
 
 constexpr std::byte cdr_little_endian[cdr_head] = {std::byte{0}, std::byte{1}, std::byte{0},
                                                    std::byte{0}};
-
-std::string event_schema() {
-  return ros2_schema_text({{"trocar/Event",
-                            {{"tick", "int64", 0, {}},
-                             {"time", "int64", 0, "[ns] since the start"},
-                             {"thread", "string", 0, "whose tick it is"},
-                             {"kind", "string", 0, {}},
-                             {"source", "string", 0, "component"},
-                             {"detail", "string", 0, {}},
-                             {"value", "float64", 0, "that caused it"},
-                             {"limit", "float64", 0, "that it broke"}},
-                            {}}});
-}
 
 std::string published_schema() {
   return ros2_schema_text(
@@ -122,17 +110,7 @@ void Recorder::write_missed(std::size_t group, std::int64_t tick, std::int64_t t
 
 void Recorder::write(std::size_t group, const Event& event) {
   std::vector<std::byte> message;
-  CdrWriter cdr(message);
-  cdr.number(event.tick);
-  cdr.number(event.time_ns);
-  cdr.string(groups_[group].name);
-  cdr.string(to_string(event.kind));
-  cdr.string(event.source);
-  const std::string_view what = event.what;
-  const std::string_view detail = event.detail;
-  cdr.string(fmt::format("{}{}{}", what, what.empty() || detail.empty() ? "" : ": ", detail));
-  cdr.number(event.value);
-  cdr.number(event.limit);
+  write_event(event, groups_[group].name, message);
   const std::uint64_t time = start_ns_ + static_cast<std::uint64_t>(event.time_ns);
   log_.writer().message(events_, event_count_++, time, time, message);
 }

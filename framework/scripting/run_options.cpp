@@ -120,6 +120,10 @@ RunOptions default_run_options() {
   return options;
 }
 
+std::vector<std::string> run_option_names() {
+  return {"rate", "duration", "seed", "set", "edits", "requests", "reloads", "keep"};
+}
+
 RunOptions read_run_options(const Literal& literal, const Where& at, RunOptions options) {
   for (const auto& [key, value] : table_of(literal, "trocar.run")) {
     if (key == "rate") {
@@ -143,10 +147,8 @@ RunOptions read_run_options(const Literal& literal, const Where& at, RunOptions 
     } else if (key == "requests") {
       read_requests(value, options);
     } else {
-      throw std::invalid_argument(fmt::format(
-          "trocar.run has no \"{}\"{}", key,
-          suggestion(key,
-                     {"rate", "duration", "seed", "set", "edits", "requests", "reloads", "keep"})));
+      throw std::invalid_argument(
+          fmt::format("trocar.run has no \"{}\"{}", key, suggestion(key, run_option_names())));
     }
   }
   return options;

@@ -13,6 +13,9 @@ double quantity(const Literal& literal, const char* unit, const std::string& wha
 /// Where trocar.run is not told otherwise.
 RunOptions default_run_options();
 
+/// What the table of trocar.run may have.
+std::vector<std::string> run_option_names();
+
 /// The table that trocar.run takes.
 /// @param options what holds where the table says nothing
 /// @throw std::invalid_argument with what is wrong and what is possible

@@ -60,6 +60,7 @@ class TestCompletion : public QObject {
     row("choices right behind an equals sign", {"run", "--clock", "="},
         {"device", "realtime", "simulated"});
     row("choices of an operand", {"completion", ""}, {"bash", "fish", "zsh"});
+    row("what can be listed", {"list", "pl"}, {"plugins"});
     row("formats of a graph", {"graph", wall, "--format", "m"}, {"mermaid"});
     row("scripts", {"check", "scripts/tutorial/01"}, {wall});
     row("scripts, behind an option with a value", {"run", "--for", "5s", "scripts/tutorial/01"},

@@ -72,6 +72,18 @@ class TestDescription : public QObject {
     QVERIFY(!json[0]["group"].get<bool>() && json[1]["group"].get<bool>());
   }
 
+  void a_component_of_a_plugin_says_so() {
+    Registry all;
+    ComponentType type = *registry_.find("Pusher");
+    type.plugin = "stand";
+    all.add(type);
+    QVERIFY(
+        catalogue_text(all).starts_with("fixtures\n  Pusher  Pushes the tool (plugin stand)\n"));
+    QCOMPARE(catalogue_json(all)["components"][0]["plugin"].get<std::string>(),
+             std::string("stand"));
+    QVERIFY(catalogue_json(registry_)["components"][0]["plugin"].is_null());
+  }
+
   void an_empty_registry_is_said_to_be_empty() {
     QCOMPARE(catalogue_text(Registry()), std::string("No components are registered.\n"));
     QVERIFY(catalogue_json(Registry())["components"].is_array());

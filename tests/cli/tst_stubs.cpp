@@ -7,7 +7,9 @@
 #include <QTest>
 
 #include "components/register.hpp"
+#include "framework/command.hpp"
 #include "framework/graph.hpp"
+#include "framework/scripting/run_options.hpp"
 #include "tests/cli/trocar_process.hpp"
 
 using namespace trocar;
@@ -112,6 +114,14 @@ class TestStubs : public QObject {
                 "---@field [\"device.push_distance\"]? trocar.Quantity"));
     QVERIFY(has(class_text(text, "trocar.Thread"),
                 "---@field Wall fun(settings: trocar.Wall.Settings): trocar.Wall\n"));
+  }
+
+  void all_that_trocar_run_takes_is_there() {
+    const std::string options = class_text(std::string(language_stub()), "trocar.RunOptions");
+    for (const std::string& name : lua::run_option_names())
+      QVERIFY2(has(options, "---@field " + name + "? "), name.c_str());
+    for (const std::string& request : request_names())
+      QVERIFY2(has(options, "\"" + request + "\""), request.c_str());
   }
 
   void the_files_are_lua_and_say_what_was_done() {

@@ -48,8 +48,10 @@ class TestUsage : public QObject {
     row("no question", {"kinematics"}, 2, "", "kinematics: a command is needed: fk, ik, jacobian");
     row("an unknown question", {"kinematics", "jacobi"}, 2, "",
         "kinematics: there is no command \"jacobi\", did you mean \"jacobian\"?");
-    row("an argument too many", {"list", "Wall"}, 2, "",
-        "trocar: list: \"Wall\" is one argument too many");
+    row("an argument too many", {"devices", "Wall"}, 2, "",
+        "trocar: devices: \"Wall\" is one argument too many");
+    row("what cannot be listed", {"list", "Wall"}, 2, "", "Wall not in {components,plugins}");
+    row("components can be listed by that word", {"list", "components"}, 0, "\n  Wall ", "");
     row("a missing argument", {"describe"}, 2, "", "trocar: describe: NAME is required");
     row("a component that does not exist", {"describe", "Wal7"}, 2, "",
         "trocar: describe: there is no component \"Wal7\"");

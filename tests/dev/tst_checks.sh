@@ -43,6 +43,7 @@ row "Qt in a test"                     includes accepts tests/tst_a.cpp '#includ
 row "Qt in the live stream"            includes accepts plugins/foxglove/a.cpp '#include <QtWebSockets/QWebSocket>'
 row "Qt in another plugin"             includes "belongs in gui" plugins/example/a.cpp '#include <QObject>'
 row "Qt in the framework"              includes "belongs in gui" framework/a.hpp '#include <QString>'
+row "a loader beside the loader"       includes "belongs in framework/plugin" framework/run.cpp '#include <dlfcn.h>'
 row "an atomic in its place"           includes accepts framework/realtime/seqlock.hpp '#include <atomic>'
 row "an atomic in a component"         includes "belongs in framework/realtime" components/a.hpp '#include <atomic>'
 row "a thread in the recorder"         includes "belongs in framework/realtime" framework/recording/a.cpp '#include <thread>'
@@ -50,6 +51,9 @@ row "a mutex in the window"            includes "belongs in framework/realtime" 
 row "the standard library"             includes accepts framework/a.hpp '#include <vector>'
 row "a header beside it"               includes "from the repository's root" tests/a.cpp '#include "ball.hpp"'
 row "the same in an outside project"   includes accepts tests/package/ball/main.cpp '#include "ball.hpp"'
+
+row "and in the plugin to be copied"   includes accepts plugins/example/a.cpp '#include "groove.hpp"'
+row "which knows no command either"    includes "plugins must not know cli" plugins/example/a.cpp '#include "cli/run.hpp"'
 
 work=wor home=hom registry=registry.npmjs
 row "a path of the repository"   places accepts a.md 'see framework/work/a.hpp and /usr/include'

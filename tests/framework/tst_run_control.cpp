@@ -63,6 +63,21 @@ class TestRunControl : public QObject {
     QCOMPARE(rig.control.live_keys(), (std::vector<std::string>{"meter.gain"}));
   }
 
+  void it_shows_parameters_with_unit_and_range() {
+    ControlRig rig;
+    rig.control.set("meter.gain", literal_from_text("3 N"));
+    const std::vector<ParameterState> all = rig.control.parameters();
+    const auto gain = std::find_if(
+        all.begin(), all.end(), [](const ParameterState& one) { return one.key == "meter.gain"; });
+    QVERIFY(gain != all.end());
+    QCOMPARE(gain->text, "3 N");
+    QCOMPARE(gain->numbers, std::vector{3.0});
+    QCOMPARE(gain->unit.symbol, "N");
+    QCOMPARE(gain->max, 9.0);
+    QVERIFY(gain->min < -1e300);
+    QVERIFY(gain->live);
+  }
+
   void what_cannot_be_is_explained() {
     ControlRig rig;
     QVERIFY2(rig.refusal("meter.gane", "3 N").contains("did you mean \"meter.gain\"?"),
@@ -72,6 +87,16 @@ class TestRunControl : public QObject {
     QVERIFY(rig.refusal("meter.fixed", "3 N").contains("cannot be edited while it runs"));
     QVERIFY(!rig.queues[0].try_pop());
     QVERIFY_THROWS_EXCEPTION(BrokenGraph, rig.control.text("meter"));
+  }
+
+  void a_remark_stays_as_long_as_the_run() {
+    ControlRig rig;
+    rig.control.annotate("the gel is dry");
+    rig.control.annotate("and dusty");
+    const auto first = rig.queues[0].try_pop(), second = rig.queues[0].try_pop();
+    QVERIFY(first && first->kind == Command::Kind::annotate);
+    QCOMPARE(first->text, "the gel is dry");
+    QCOMPARE(second->text, "and dusty");
   }
 
   void nothing_is_lost_when_the_queue_is_full() {

@@ -19,10 +19,11 @@ struct ScriptOutcome {
   std::unique_ptr<Session> session;
 };
 
-/// Runs the file in virtual time with settings as of --set.
+/// Runs the file with settings as of --set.
 inline ScriptOutcome run_script_file(const QString& path, const QStringList& settings = {},
-                                     SessionOptions options = {}) {
-  options.clock = ClockKind::simulated;
+                                     SessionOptions options = {},
+                                     ClockKind clock = ClockKind::simulated) {
+  options.clock = clock;
   options.default_duration = 0.01;
   Graph::Overrides arguments;
   for (const QString& setting : settings) {
@@ -48,12 +49,13 @@ inline ScriptOutcome run_script_file(const QString& path, const QStringList& set
 
 /// Writes the text to a file of its own and runs it.
 inline ScriptOutcome run_script_text(const QByteArray& text, const QStringList& settings = {},
-                                     SessionOptions options = {}) {
+                                     SessionOptions options = {},
+                                     ClockKind clock = ClockKind::simulated) {
   const QTemporaryDir folder;
   QFile file(folder.filePath("script.lua"));
   if (!file.open(QFile::WriteOnly) || file.write(text) != text.size()) return {};
   file.close();
-  return run_script_file(file.fileName(), settings, std::move(options));
+  return run_script_file(file.fileName(), settings, std::move(options), clock);
 }
 
 /// Whether there are as many findings as expected, each with the text of its place in the list.

@@ -37,7 +37,7 @@ struct Reloaded {
 
   Reloaded(const QByteArray& law, const std::vector<Version>& versions,
            const QByteArray& more_options = "duration = \"2 s\"", const QString& record = {},
-           SessionOptions options = {}) {
+           SessionOptions options = {}, ClockKind clock = ClockKind::simulated) {
     const auto write = [&](const QString& name, const QByteArray& text) {
       QFile file(folder.filePath(name));
       return file.open(QFile::WriteOnly) && file.write(text) == text.size();
@@ -57,7 +57,7 @@ struct Reloaded {
           "local run = trocar.run { reloads = {" +
               reloads + "}, " + more_options + " }\n");
     if (!record.isEmpty()) options.record = record.toStdString();
-    outcome = run_script_file(folder.filePath("script.lua"), {}, std::move(options));
+    outcome = run_script_file(folder.filePath("script.lua"), {}, std::move(options), clock);
   }
 
   const RunResult& run() const { return outcome.session->runs().back()->result; }
@@ -279,25 +279,42 @@ class TestLawReload : public QObject {
 
   /// Versions are made ready and freed by one thread while another steps.
   void in_real_time_another_thread_makes_them_ready() {
-    SessionOptions options;
-    options.clock = ClockKind::realtime;
     const Reloaded law(spring("500"),
-                       {{"50 ms", spring("510")},
+                       {{"150 ms", spring("500")},  // not in the order of their times
+                        {"50 ms", spring("510")},
                         {"100 ms", spring("(0/0)")},
-                        {"150 ms", spring("500")},
-                        {"200 ms", spring("510")}},
+                        {"200 ms", spring("510")},
+                        {"50 s", spring("520")}},
                        "duration = \"0.4 s\", rate = \"200 Hz\", set = { [\"law.deadline\"] = "
                        "\"4 ms\" }",
-                       {}, std::move(options));
+                       {}, {}, ClockKind::realtime);
     QVERIFY2(law.outcome.findings.isEmpty(), qPrintable(law.outcome.findings.join('\n')));
-    QCOMPARE(law.run().reloads.size(), std::size_t{4});
-    QVERIFY(!law.trouble(1).isEmpty());
+    QVERIFY(law.run().clock == ClockKind::realtime);
+    QCOMPARE(law.run().reloads.size(), std::size_t{5});
+    QVERIFY2(law.trouble(2).contains("is not finite"), qPrintable(law.trouble(2)));
+    QCOMPARE(law.trouble(4), QString("the run ended before"));
+    QVERIFY(law.run().reloads[1].time < law.run().reloads[2].time);
+    QVERIFY(law.run().reloads[2].time < law.run().reloads[0].time);
   }
 
-  void a_component_without_a_law_is_named() {
+  void one_that_the_run_does_not_reach_is_told() {
+    const Reloaded law(spring("500"), {{"1 s", spring("600")}, {"3 s", spring("700")}});
+    QCOMPARE(law.run().reloads.size(), std::size_t{2});
+    QCOMPARE(law.trouble(0), QString());
+    QCOMPARE(law.trouble(1), QString("the run ended before"));
+  }
+
+  void a_component_without_a_law_is_named_before_the_run_data() {
+    QTest::addColumn<ClockKind>("clock");
+    QTest::newRow("virtual time") << ClockKind::simulated;
+    QTest::newRow("real time") << ClockKind::realtime;
+  }
+  void a_component_without_a_law_is_named_before_the_run() {
+    QFETCH(ClockKind, clock);
     const ScriptOutcome outcome = run_script_text(
         "local sine = trocar.Sine { amplitude = \"1 N\", frequency = \"1 Hz\" }\n"
-        "trocar.run { reloads = { { at = \"1 s\", sine = \"script.lua\" } } }\n");
+        "trocar.run { reloads = { { at = \"1 s\", sine = \"script.lua\" } } }\n",
+        {}, {}, clock);
     QVERIFY2(outcome.findings.join('\n').contains("\"sine\" cannot be reloaded"),
              qPrintable(outcome.findings.join('\n')));
   }

@@ -16,10 +16,10 @@ using namespace trocar::test;
 namespace {
 
 /// Values by name after a series of reports.
-struct Device {
+struct Played {
   DeviceLayout layout;
   std::vector<double> values = std::vector<double>(most_numbers, -99.0);
-  explicit Device(const char* name)
+  explicit Played(const char* name)
       : layout(read_layout_text(shipped_layout(name)).layout.value()) {}
   bool take(const std::vector<std::uint8_t>& bytes) { return layout.fields.decode(bytes, values); }
   double operator[](const std::string& name) const {
@@ -59,7 +59,7 @@ class TestShippedLayouts : public QObject {
 
   // The reports that github.com/AndunHH/spacemouse, SpaceNavigator.md, recorded.
   void a_space_navigators_recorded_reports() {
-    Device mouse("space_navigator");
+    Played mouse("space_navigator");
     QVERIFY(mouse.take({0x01, 0, 0, 0, 0, 0, 0}));
     for (const char* axis : {"x", "y", "z"})
       QCOMPARE(mouse[std::string("translation.") + axis], 0.0);
@@ -81,7 +81,7 @@ class TestShippedLayouts : public QObject {
 
   // Its descriptor: report 1 has X, Y, Z and report 2 Rx, Ry, Rz, of 16 bits, from -350 to 350.
   void a_space_navigators_ends() {
-    Device mouse("space_navigator");
+    Played mouse("space_navigator");
     QVERIFY(mouse.take({0x01, 0x5E, 0x01, 0xA2, 0xFE, 0x5E, 0x01}));
     QCOMPARE(mouse["translation.x"], 1.0);
     QCOMPARE(mouse["translation.y"], -1.0);
@@ -96,7 +96,7 @@ class TestShippedLayouts : public QObject {
 
   void a_space_mouse_sends_its_buttons_on_a_change_alone() {
     for (const char* name : {"space_navigator", "space_mouse_wireless"}) {
-      const Device mouse(name);
+      const Played mouse(name);
       QVERIFY(mouse.output("left").held == Held::attached);
       QVERIFY(mouse.output("translation").held == Held::never);
       QVERIFY(mouse.output("rotation").kind == LayoutOutput::Kind::vector);
@@ -106,7 +106,7 @@ class TestShippedLayouts : public QObject {
 
   // Its descriptor: report 1 has X, Y, Z, Rx, Ry, Rz of 16 bits.
   void a_wireless_mouse_has_all_axes_in_one_report() {
-    Device mouse("space_mouse_wireless");
+    Played mouse("space_mouse_wireless");
     QVERIFY(mouse.take({0x01, 0x5E, 0x01, 0, 0, 0xA2, 0xFE, 0xAF, 0x00, 0x51, 0xFF, 0x5E, 0x01}));
     QCOMPARE(mouse["translation.x"], 1.0);
     QCOMPARE(mouse["translation.y"], 0.0);
@@ -124,7 +124,7 @@ class TestShippedLayouts : public QObject {
   // Bytes by the order of struct dualshock4_input_report_usb: number, x, y, rx, ry, three of
   // buttons, z, rz.
   void a_dualshock_at_rest_and_pressed() {
-    Device pad("dualshock4");
+    Played pad("dualshock4");
     std::vector<std::uint8_t> report(64);
     report[0] = 1;
     for (std::size_t i = 1; i <= 4; ++i) report[i] = 128;
@@ -170,7 +170,7 @@ class TestShippedLayouts : public QObject {
   void each_of_its_buttons_is_one_bit() {
     QFETCH(int, byte);
     QFETCH(int, mask);
-    Device pad("dualshock4");
+    Played pad("dualshock4");
     std::vector<std::uint8_t> report(64);
     report[0] = 1;
     report[static_cast<std::size_t>(byte)] = static_cast<std::uint8_t>(mask);
@@ -187,7 +187,7 @@ class TestShippedLayouts : public QObject {
   void any_bytes_are_taken_whole_or_not_at_all_data() { rows(); }
   void any_bytes_are_taken_whole_or_not_at_all() {
     QFETCH(QString, name);
-    Device device(name.toLatin1());
+    Played device(name.toLatin1());
     const auto& fields = device.layout.fields.fields();
     std::mt19937 random(7);
     int taken = 0;
