@@ -7,6 +7,7 @@
 
 #include "components/devices/hid/state_report.hpp"
 #include "tests/fuzz/hid_reports.hpp"
+#include "tests/fuzz/stream_messages.hpp"
 
 using namespace trocar::test;
 
@@ -14,9 +15,10 @@ namespace {
 
 using Input = std::vector<std::uint8_t>;
 
-std::vector<Input> kept(const QStringList& names = {QStringLiteral("*")}) {
+std::vector<Input> kept(const QStringList& names = {QStringLiteral("*")},
+                        const QString& target = QStringLiteral("hid_reports")) {
   std::vector<Input> inputs;
-  const QDir folder(QStringLiteral(TROCAR_SOURCE_DIR "/tests/data/fuzz/hid_reports"));
+  const QDir folder(QStringLiteral(TROCAR_SOURCE_DIR "/tests/data/fuzz/") + target);
   for (const QString& name : folder.entryList(names, QDir::Files, QDir::Name)) {
     QFile file(folder.filePath(name));
     if (!file.open(QIODevice::ReadOnly)) continue;
@@ -49,6 +51,22 @@ class TestFuzzReplay : public QObject {
     QVERIFY(all.refused_reports > 0);
     QVERIFY(all.refused_commands > 0);
     QCOMPARE(all.device_states, 0x1Fu);
+  }
+
+  void messages_of_stream_clients_hold_every_promise() {
+    std::vector<Input> seeds = kept({QStringLiteral("seed_*")}, QStringLiteral("stream_messages"));
+    QVERIFY(seeds.size() >= 10);
+    for (const Input& seed : seeds) QVERIFY(feed_stream_message(seed));
+    std::mt19937 random(7);
+    int taken = 0, refused = 0;
+    for (int i = 0; i < 50'000; ++i) {
+      Input input = seeds[random() % seeds.size()];
+      for (auto k = 1 + random() % 3; k > 0; --k)
+        input[random() % input.size()] = static_cast<std::uint8_t>(random());
+      input.resize(input.size() - random() % 2 * (random() % input.size()));
+      ++(feed_stream_message(input) ? taken : refused);
+    }
+    QVERIFY(taken > 1000 && refused > 1000);
   }
 
   void so_do_mutations_of_the_seeds() {

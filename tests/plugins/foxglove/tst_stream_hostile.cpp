@@ -12,8 +12,11 @@ using namespace trocar::test;
 
 namespace {
 
-/// [MiB] of this process.
+/// [MiB] of this process. AddressSanitizer keeps what was freed, so that it tells nothing there.
 double resident() {
+#ifdef __SANITIZE_ADDRESS__
+  return 0.0;
+#endif
   std::ifstream file("/proc/self/statm");
   long pages = 0, kept = 0;
   file >> pages >> kept;
