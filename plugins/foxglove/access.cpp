@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/foxglove/access.hpp"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 
 #include <charconv>
@@ -68,7 +69,10 @@ Endpoint parse_endpoint(std::string_view text) {
   }
   if (address == "localhost") address = "127.0.0.1";
   if (!address.empty()) endpoint.address = address;
-  if (endpoint.address.find_first_not_of("0123456789abcdefABCDEF.:") != std::string::npos)
+  // What is no address must not become "all of them".
+  in6_addr ignored;
+  if (inet_pton(AF_INET, endpoint.address.c_str(), &ignored) != 1 &&
+      inet_pton(AF_INET6, endpoint.address.c_str(), &ignored) != 1)
     refuse_endpoint(text);
   return endpoint;
 }

@@ -139,8 +139,8 @@ std::vector<stream::ServiceOffer> CallDesk::offers() {
   return offers;
 }
 
-std::string CallDesk::graph(RunControl&) {
-  for (std::string& newer : graph_.take_all()) graph_now_ = std::move(newer);
+const std::string& CallDesk::graph() {
+  if (auto newer = graph_.take()) graph_now_ = std::move(*newer);
   return graph_now_;
 }
 
@@ -151,7 +151,7 @@ std::string CallDesk::call(const std::string& service, const std::string& argume
     control.request(*kind);
     return Json{{"asked", service}}.dump();
   }
-  if (service == "graph") return graph(control);
+  if (service == "graph") return graph();
   if (service == "parameters") return parameters_json(control).dump();
   if (service == "record") return record_json(json, recording_).dump();
   if (service == "annotate") return annotate_json(json, control).dump();

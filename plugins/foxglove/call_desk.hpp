@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "framework/realtime/mailbox.hpp"
+#include "framework/realtime/handover.hpp"
 #include "framework/realtime/stop_flag.hpp"
 #include "framework/run_control.hpp"
 #include "framework/stream/server_message.hpp"
@@ -35,11 +35,11 @@ class CallDesk {
   void set_graph(std::string json) { graph_.put(std::move(json)); }
 
  private:
-  std::string graph(RunControl& control);
+  const std::string& graph();
 
   Recording& recording_;
   StopFlag started_;
-  Mailbox<std::string> graph_{16};
+  Handover<std::string> graph_;  // of the run that begins
   std::string graph_now_ = "{}";
 };
 

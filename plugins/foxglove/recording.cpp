@@ -51,8 +51,8 @@ void Recording::attempt(const auto& write) {
   }
 }
 
-std::string Recording::end_run() {
-  return exclusive_.run([&] {
+void Recording::end_run() {
+  exclusive_.run([&] {
     layouts_ = nullptr;
     graph_ = nullptr;
     attempt([](Open& open) {
@@ -60,7 +60,6 @@ std::string Recording::end_run() {
       open.log.close();
     });
     open_.reset();
-    return trouble_;
   });
 }
 

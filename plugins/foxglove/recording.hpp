@@ -26,8 +26,7 @@ class Recording {
   /// A run begins, whose layouts and graph live until end_run().
   void begin_run(const std::vector<RowLayout>& layouts, const WiredGraph& graph,
                  std::uint64_t epoch_ns, std::string graph_json);
-  /// @return why the recording of the run had to be given up, or ""
-  std::string end_run();
+  void end_run();
 
   /// @param name of a file beside the program's other logs, or "" for one of its own
   /// @return its name

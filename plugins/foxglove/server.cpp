@@ -29,7 +29,7 @@ constexpr int records_at_a_time = 20'000;
 
 constexpr const char* state_schema =
     R"({"type":"object","properties":{"run":{"type":"integer"},"running":{"type":"boolean"},)"
-    R"("simulated":{"type":"boolean"},"time":{"type":"number"},)"
+    R"("simulated":{"type":"boolean"},"time":{"type":"number"},"log":{"type":"string"},)"
     R"("recording":{"type":"object","properties":{"file":{"type":"string"},)"
     R"("rows":{"type":"integer"},"missed":{"type":"integer"}}},"trouble":{"type":"string"},)"
     R"("stream_missed":{"type":"integer"},"clients":{"type":"integer"}}})";
@@ -112,8 +112,10 @@ void Server::welcome() {
     QObject::connect(
         socket, &QWebSocket::disconnected, socket, [this, id] { let_go(id); },
         Qt::QueuedConnection);
-    QObject::connect(socket, &QWebSocket::pong, socket,
-                     [&client] { client.heard(monotonic_ns()); });
+    QObject::connect(socket, &QWebSocket::pong, socket, [this, id] {
+      if (const auto found = clients_.find(id); found != clients_.end())
+        found->second->heard(monotonic_ns());
+    });
     client.send(
         stream::server_info("Trocar", fmt::format("{}-{}", date_now(), id),
                             {{"trocar", version()}, {"write", client.may_write() ? "yes" : "no"}}));
@@ -248,7 +250,7 @@ void Server::open_next_run() {
   run_ = std::move(to_come_.front());
   to_come_.pop_front();
   running_ = true;
-  ++run_number_;
+  time_ns_ = run_->epoch_ns;
   events_.clear();
 
   std::vector<std::uint32_t> old_channels;
@@ -349,10 +351,11 @@ void Server::tell_state() {
   const Recording::State recording = recording_.state();
   const double time = run_ ? 1e-9 * static_cast<double>(time_ns_ - run_->epoch_ns) : 0.0;
   const std::string json = nlohmann::ordered_json{
-      {"run", run_number_},
+      {"run", run_ ? run_->number : 0},
       {"running", running_},
       {"simulated", run_ && run_->epoch_ns == 0},
       {"time", time_ns_ == 0 ? 0.0 : time},
+      {"log", run_ ? run_->log : ""},
       {"recording",
        {{"file", recording.file}, {"rows", recording.rows}, {"missed", recording.missed}}},
       {"trouble", trouble},

@@ -70,7 +70,6 @@ class Server {
   std::deque<std::shared_ptr<StreamRun>> to_come_;
   std::shared_ptr<StreamRun> run_;
   bool running_ = false;
-  int run_number_ = 0;
   std::deque<ThreadChannels> threads_;  // of the run
   std::vector<stream::Channel> channels_;
   std::uint32_t next_channel_ = 1;

@@ -18,19 +18,21 @@ enum class TapRecord : std::uint32_t {
   end     // of the run
 };
 
-/// One run on its way to the server: its rows in a ring, and what is needed to understand them.
-struct StreamRun {
-  StreamRun(std::vector<RowLayout> rows, std::vector<stream::Topic> connections,
-            std::uint64_t epoch, std::size_t capacity, std::size_t largest)
-      : layouts(std::move(rows)),
-        topics(std::move(connections)),
-        epoch_ns(epoch),
-        ring(capacity, largest) {}
+/// What is needed to understand a run's rows.
+struct RunDescription {
+  int number = 0;                  // from 1
+  std::vector<RowLayout> layouts;  // of each thread
+  std::vector<stream::Topic> topics;
+  std::uint64_t epoch_ns = 0;  // added to times: 0 in virtual time
+  std::string log;             // that the session writes, or ""
+};
 
-  const std::vector<RowLayout> layouts;  // of each thread
-  const std::vector<stream::Topic> topics;
-  const std::uint64_t epoch_ns;  // added to times: 0 in virtual time
-  BroadcastRing ring;            // from the thread that reads the loop's rows to the server
+/// One run on its way to the server.
+struct StreamRun : RunDescription {
+  StreamRun(RunDescription description, std::size_t capacity, std::size_t largest)
+      : RunDescription(std::move(description)), ring(capacity, largest) {}
+
+  BroadcastRing ring;  // from the thread that reads the loop's rows to the server
   BroadcastRing::Cursor cursor{ring, BroadcastRing::Cursor::Start::oldest};  // the server's
 };
 

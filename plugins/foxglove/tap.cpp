@@ -7,13 +7,13 @@
 #include <map>
 
 #include "framework/recording/event_message.hpp"
+#include "framework/recording/row_pump.hpp"
 #include "framework/wired_graph.hpp"
 
 namespace trocar::foxglove {
 namespace {
 
-constexpr std::size_t ring_size = 32u * 1024 * 1024;  // [B]: 4 s of 100 doubles at 10 kHz
-constexpr std::size_t largest_event = 64u * 1024;     // [B]
+constexpr std::size_t largest_event = 64u * 1024;  // [B]
 
 /// Each output that somebody reads, or that could be looked at, as a topic.
 std::vector<stream::Topic> topics_of(const WiredGraph& graph) {
@@ -51,10 +51,17 @@ std::uint64_t date_now() {
 
 void Tap::begin(const std::vector<RowLayout>& layouts, const WiredGraph& graph) {
   std::size_t largest = largest_event;
-  for (const RowLayout& layout : layouts) largest = std::max(largest, layout.size());
+  std::size_t capacity = 0;
+  for (const RowLayout& layout : layouts) {
+    largest = std::max(largest, layout.size());
+    capacity +=
+        ring_capacity(layout, static_cast<double>(layout.period_ns()) * 1e-9, next_.virtual_time);
+  }
   const std::uint64_t epoch_ns = next_.virtual_time ? 0 : date_now();
-  run_ = std::make_shared<StreamRun>(layouts, topics_of(graph), epoch_ns, ring_size, largest);
-  runs_.put(run_);
+  run_ = std::make_shared<StreamRun>(
+      RunDescription{++number_, layouts, topics_of(graph), epoch_ns, next_.recording}, capacity,
+      largest);
+  while (!runs_.put(run_)) runs_.take_all();  // nobody looks at runs as short as those
   recording_.begin_run(layouts, graph, epoch_ns, next_.graph);
 }
 

@@ -28,7 +28,7 @@ class Tap final : public RowSink {
   void missed(std::uint64_t records) override { recording_.missed(records); }
   void end() override;
 
-  /// Runs that have begun since the last call; for the server.
+  /// Runs that have begun since the last call, for the server. Of very many short ones the newest.
   std::deque<std::shared_ptr<StreamRun>> take_runs() { return runs_.take_all(); }
 
  private:
@@ -38,7 +38,8 @@ class Tap final : public RowSink {
   ServiceRun next_;
   std::shared_ptr<StreamRun> run_;
   std::vector<std::byte> message_, record_;  // of an event
-  Mailbox<std::shared_ptr<StreamRun>> runs_{1000};
+  int number_ = 0;
+  Mailbox<std::shared_ptr<StreamRun>> runs_{8};
 };
 
 /// [ns] since 1970.

@@ -57,6 +57,13 @@ class TestUsage : public QObject {
         "trocar: describe: there is no component \"Wal7\"");
     row("a log that does not exist", {"info", "none.mcap"}, 2, "",
         "trocar: info: there is no file \"none.mcap\"");
+    row("nobody to wait for",
+        {"run", TROCAR_SOURCE_DIR "/scripts/tutorial/01_feel_a_wall.lua", "--wait"}, 2, "",
+        "--wait: needs --serve");
+    row("no address",
+        {"run", TROCAR_SOURCE_DIR "/scripts/tutorial/01_feel_a_wall.lua", "--serve",
+         "300.1.1.1:80"},
+        2, "", "\"300.1.1.1:80\" is no address to listen at");
     row("a folder for a log", {"info", TROCAR_SOURCE_DIR}, 1, "", "it is not a regular file");
     row("a script for a log", {"info", TROCAR_SOURCE_DIR "/README.md"}, 1, "", "trocar: info: ");
   }

@@ -97,6 +97,31 @@ class TestStream : public QObject {
     QVERIFY(client.wait([&] { return client.messages[1].size() == 15; }));
   }
 
+  /// As experiments have them, in virtual time: the newest is seen, under its number.
+  void very_many_short_runs_do_not_pile_up() {
+    StreamRig rig;
+    StreamClient client(rig.url());
+    QVERIFY(client.subscribe("/trocar/state", 1));
+    constexpr int count = 300;
+    for (int i = 0; i < count; ++i) {
+      rig.begin();
+      rig.feed(0, 3);
+      if (i < count - 1) rig.end();
+    }
+    QVERIFY(client.wait([&] {
+      return !client.messages[1].empty() &&
+             client.messages[1].back().content.contains("{\"run\":300,\"running\":true");
+    }));
+    QVERIFY(client.subscribe("/main", 2));
+    QVERIFY(client.subscribe("/trocar/state", 3));
+    QVERIFY(client.wait([&] { return !client.messages[3].empty(); }));
+    rig.feed(3, 8);
+    rig.end();
+    QVERIFY(client.wait([&] { return client.messages[2].size() == 5; }));
+    QVERIFY2(client.messages[3].front().content.contains("\"time\":0.0"),
+             client.messages[3].front().content);
+  }
+
   void who_comes_later_is_told_what_happened() {
     StreamRig rig;
     rig.begin();

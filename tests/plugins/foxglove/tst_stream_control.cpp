@@ -118,7 +118,10 @@ class TestStreamControl : public QObject {
     const auto main = std::find_if(log.channels().begin(), log.channels().end(),
                                    [](const auto& one) { return one.second.topic == "/main"; });
     QVERIFY(main != log.channels().end());
-    QVERIFY(done["rows"].toInt() > 0);
+    int rows = 0;
+    log.messages([&](const McapMessage& message) { rows += message.channel == main->first; });
+    QVERIFY(rows > 0);
+    QCOMPARE(rows, done["rows"].toInt());
   }
 
   void who_may_only_look_can_still_stop_data() {

@@ -178,7 +178,8 @@ class TestStreamHostile : public QObject {
 
   void settings_that_do_not_fit_are_explained_data() {
     QTest::addColumn<QString>("address");
-    for (const char* address : {"here", "1.2.3.4:x", "127.0.0.1:70000", "[::1", "a b:1"})
+    for (const char* address :
+         {"here", "300.1.1.1:80", "1.2.3", "::g", "1.2.3.4:x", "127.0.0.1:70000", "[::1", "a b:1"})
       QTest::newRow(address) << address;
   }
   void settings_that_do_not_fit_are_explained() {
