@@ -41,7 +41,8 @@ class ChannelReader {
     }
     try {
       decoder_ = std::make_unique<Ros2Decoder>(schema->name, schema->data);
-      channel.signal_list = signals_of(parse_ros2_schema(schema->name, schema->data));
+      for (SchemaSignal& signal : signals_of(parse_ros2_schema(schema->name, schema->data)))
+        channel.signal_list.push_back({std::move(signal)});
     } catch (const std::invalid_argument& error) {
       channel.problem = std::string("only counted: ") + error.what();
       return;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "framework/stream/message_json.hpp"
 #include "framework/stream/opcode.hpp"
 
 namespace trocar::stream {
@@ -14,17 +15,6 @@ using Json = nlohmann::ordered_json;
 /// Texts of scripts may hold anything; JSON is UTF-8.
 std::string written(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-Json value_json(const ParameterValue& value) {
-  return std::visit(
-      [](const auto& one) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(one)>, std::monostate>)
-          return nullptr;
-        else
-          return one;
-      },
-      value);
 }
 
 const char* type_of(const ParameterValue& value) {

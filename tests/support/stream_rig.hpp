@@ -15,6 +15,7 @@ struct StreamRig {
   explicit StreamRig(ServiceType::Settings settings = {})
       : service(with_port(std::move(settings))) {}
   ~StreamRig() {
+    stop.raise();
     if (loop.joinable()) loop.join();
   }
   StreamRig(const StreamRig&) = delete;

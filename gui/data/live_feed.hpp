@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "gui/data/data_store.hpp"
+#include "gui/link/stream_client.hpp"
+
+namespace trocar::gui {
+
+/// What the stream tells of the run and of itself, besides rows: "/trocar/state".
+struct StreamState {
+  std::int64_t run = 0;  // its number, 0 before the first
+  bool running = false;
+  bool virtual_time = false;
+  double time = 0.0;  // [s]
+  std::string log;    // of the run itself, "" when it records none
+  struct Recording {  // that clients asked for
+    std::string file;
+    std::int64_t rows = 0;
+    std::int64_t missed = 0;
+  } recording;
+  std::string trouble;             // of recording
+  std::int64_t stream_missed = 0;  // rows that the stream itself was too slow for
+  int clients = 0;
+};
+
+/// Fills a store from a live stream, with every row, and asks what else there is to know of a run.
+class LiveFeed : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Limits {
+    double seconds = 120.0;                       // of rows that are kept
+    std::size_t memory = std::size_t{256} << 20;  // [B] for a thread's rows
+  };
+
+  LiveFeed(StreamClient& client, DataStore& store, QObject* parent = nullptr)
+      : LiveFeed(client, store, Limits{}, parent) {}
+  LiveFeed(StreamClient& client, DataStore& store, Limits limits, QObject* parent = nullptr);
+
+  const StreamState& state() const { return state_; }
+  /// docs/log-format.md#graphjson; null until it is known.
+  const nlohmann::json& graph() const { return graph_; }
+  /// As the service `parameters` gives them; null until they are known.
+  const nlohmann::json& parameters() const { return parameters_; }
+  void ask_parameters();
+
+ Q_SIGNALS:
+  void state_heard();
+  void graph_known();
+  void parameters_known();
+  /// Rows came; at most once for each message.
+  void grew();
+
+ private:
+  void follow_channels();
+  void begin_run();
+  void take(const stream::Channel& channel, std::span<const std::byte> bytes);
+  void take_rows(const std::string& thread, std::span<const std::byte> bytes);
+  void take_state(std::span<const std::byte> bytes);
+  void ask_graph();
+  const stream::Channel* row_channel(const std::string& thread) const;
+
+  StreamClient& client_;
+  DataStore& store_;
+  Limits limits_;
+  StreamState state_;
+  nlohmann::json graph_, parameters_;
+  std::vector<std::uint32_t> subscribed_;
+  std::vector<stream::Channel> run_channels_;  // of the run whose rows are in the store
+};
+
+}  // namespace trocar::gui
