@@ -32,6 +32,7 @@ void add_list(CLI::App& app, int& status);
 void add_run(CLI::App& app, int& status);
 void add_stubs(CLI::App& app, int& status);
 void add_test(CLI::App& app, int& status);
+void add_watch(CLI::App& app);
 void add_workspace(CLI::App& app, int& status);
 
 }  // namespace trocar::cli

@@ -3,8 +3,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <string>
-#include <string_view>
 
 #include "framework/recording/schema_signals.hpp"
 
@@ -20,8 +18,5 @@ struct LogSignal : SchemaSignal {
 
   void add(double value);
 };
-
-/// Whether `pattern` means the signal: with `*` and `?` the whole name, otherwise a part of it.
-bool matches(std::string_view pattern, const std::string& name);
 
 }  // namespace trocar::cli

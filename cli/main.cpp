@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   add_doctor(app, status);
   add_emulate(app, status);
   add_kinematics(app, status);
+  add_watch(app);
   add_workspace(app, status);
   add_bench(app, status);
   add_completion(app, status);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "framework/recording/schema_signals.hpp"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 
 #include "framework/text.hpp"
@@ -89,6 +91,12 @@ class SchemaWalk {
 
 std::vector<SchemaSignal> signals_of(const std::vector<Ros2Message>& messages) {
   return SchemaWalk(messages).signals();
+}
+
+bool matches(std::string_view pattern, const std::string& name) {
+  if (pattern.find_first_of("*?") == std::string_view::npos)
+    return name.find(pattern) != std::string::npos;
+  return ::fnmatch(std::string(pattern).c_str(), name.c_str(), FNM_NOESCAPE) == 0;
 }
 
 }  // namespace trocar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "framework/recording/ros2_schema.hpp"
@@ -20,5 +21,8 @@ struct SchemaSignal {
 /// are. Units stand at the beginning of a field's comment, "[N] …" or one for each block,
 /// "[N, N m] …", and hold for what is inside.
 std::vector<SchemaSignal> signals_of(const std::vector<Ros2Message>& messages);
+
+/// Whether `pattern` means the signal: with `*` and `?` the whole name, otherwise a part of it.
+bool matches(std::string_view pattern, const std::string& name);
 
 }  // namespace trocar

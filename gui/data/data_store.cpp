@@ -11,7 +11,7 @@ RunEvent read_event(std::span<const std::byte> message) {
   CdrReader cdr(message);
   RunEvent event;
   event.tick = cdr.number<std::int64_t>();
-  event.time = 1e-9 * static_cast<double>(cdr.number<std::int64_t>());
+  event.time = static_cast<double>(cdr.number<std::int64_t>()) / 1e9;
   event.thread = cdr.string();
   event.kind = cdr.string();
   event.source = cdr.string();

@@ -22,29 +22,6 @@ bool is_batch(const stream::Channel& channel) {
          std::string_view(channel.topic).ends_with(batch_suffix);
 }
 
-template <typename T>
-void read_member(const nlohmann::json& json, const char* name, T& into) {
-  if (const auto found = json.find(name); found != json.end()) found->get_to(into);
-}
-
-StreamState state_of(const nlohmann::json& json) {
-  StreamState state;
-  read_member(json, "run", state.run);
-  read_member(json, "running", state.running);
-  read_member(json, "simulated", state.virtual_time);
-  read_member(json, "time", state.time);
-  read_member(json, "log", state.log);
-  read_member(json, "trouble", state.trouble);
-  read_member(json, "stream_missed", state.stream_missed);
-  read_member(json, "clients", state.clients);
-  if (const auto recording = json.find("recording"); recording != json.end()) {
-    read_member(*recording, "file", state.recording.file);
-    read_member(*recording, "rows", state.recording.rows);
-    read_member(*recording, "missed", state.recording.missed);
-  }
-  return state;
-}
-
 }  // namespace
 
 LiveFeed::LiveFeed(StreamClient& client, DataStore& store, Limits limits, QObject* parent)
@@ -142,14 +119,9 @@ void LiveFeed::take_rows(const std::string& thread, std::span<const std::byte> b
 }
 
 void LiveFeed::take_state(std::span<const std::byte> bytes) {
-  const auto* text = reinterpret_cast<const char*>(bytes.data());
-  const nlohmann::json json = nlohmann::json::parse(text, text + bytes.size(), nullptr, false);
-  if (!json.is_object()) return;
-  try {
-    state_ = state_of(json);
-  } catch (const nlohmann::json::exception&) {
-    return;  // not of a server that we know
-  }
+  const std::optional<StreamState> state = read_state(bytes);
+  if (!state) return;
+  state_ = *state;
   Q_EMIT state_heard();
 }
 

@@ -6,26 +6,10 @@
 #include <string>
 
 #include "gui/data/data_store.hpp"
+#include "gui/data/stream_state.hpp"
 #include "gui/link/stream_client.hpp"
 
 namespace trocar::gui {
-
-/// What the stream tells of the run and of itself, besides rows: "/trocar/state".
-struct StreamState {
-  std::int64_t run = 0;  // its number, 0 before the first
-  bool running = false;
-  bool virtual_time = false;
-  double time = 0.0;  // [s]
-  std::string log;    // of the run itself, "" when it records none
-  struct Recording {  // that clients asked for
-    std::string file;
-    std::int64_t rows = 0;
-    std::int64_t missed = 0;
-  } recording;
-  std::string trouble;             // of recording
-  std::int64_t stream_missed = 0;  // rows that the stream itself was too slow for
-  int clients = 0;
-};
 
 /// Fills a store from a live stream, with every row, and asks what else there is to know of a run.
 class LiveFeed : public QObject {

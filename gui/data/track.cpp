@@ -86,7 +86,7 @@ void Track::add(std::span<const std::byte> row) {
   for (std::size_t i = 0; i < leaves.size(); ++i)
     columns_[i].add(read(row.data() + leaves[i].offset - cdr_head, leaves[i].type));
   const std::uint64_t n = times_.end();
-  times_.add(1e-9 * columns_[time_][n]);
+  times_.add(columns_[time_][n] / 1e9);
   if (n > 0 && tick(n) > tick(n - 1) + 1)
     missing_ += static_cast<std::uint64_t>(tick(n) - tick(n - 1) - 1);
 }

@@ -12,6 +12,7 @@ names_nothing_of_the_build() { ! grep -rIlF -e "$build" -e "$folder" .; }
 expect "the program says the version" 0 "trocar $version" bin/trocar --version
 expect "its libraries are those beside it" 0 "$trocar/$libdir/libtrocar_components.so" \
   bash -c "ldd bin/trocar | sed 's|bin/../||'"
+expect "what watches is beside it" 1 "nobody answers at ws://127.0.0.1:1" bin/trocar watch 127.0.0.1:1 --stop
 expect "a tutorial runs" 0 "no faults" bin/trocar run share/trocar/scripts/tutorial/01_feel_a_wall.lua \
   --for 2s --clock simulated
 expect "documents, licence and package files are there" 0 "" there share/doc/trocar/{README.md,LICENSE,copyright} \
