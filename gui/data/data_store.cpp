@@ -22,13 +22,16 @@ RunEvent read_event(std::span<const std::byte> message) {
 }
 
 double SignalRef::last() const {
-  return has_value() ? column()[track->end() - 1] : std::numeric_limits<double>::quiet_NaN();
+  const std::uint64_t end = track == nullptr ? 0 : track->view_end();
+  return end > 0 && end > track->first() ? column()[end - 1]
+                                         : std::numeric_limits<double>::quiet_NaN();
 }
 
 void DataStore::begin_run(std::vector<std::unique_ptr<Track>> tracks) {
   // Those who listen to the signal may still hold on to the old ones until they hear it.
   const auto old = std::exchange(tracks_, std::move(tracks));
   events_.clear();
+  for (const auto& track : tracks_) track->set_view_end(view_end_);
   Q_EMIT run_began();
 }
 
@@ -44,11 +47,23 @@ std::optional<SignalRef> DataStore::find(std::string_view signal) const {
   return std::nullopt;
 }
 
-double DataStore::now() const {
-  double now = 0.0;
+double DataStore::newest() const {
+  double newest = 0.0;
   for (const std::unique_ptr<Track>& track : tracks_)
-    if (!track->empty()) now = std::max(now, track->time(track->end() - 1));
-  return now;
+    if (!track->empty()) newest = std::max(newest, track->time(track->end() - 1));
+  return newest;
+}
+
+void DataStore::set_view_end(std::optional<double> time) {
+  view_end_ = time;
+  for (const auto& track : tracks_) track->set_view_end(time);
+}
+
+std::size_t DataStore::events_shown() const {
+  if (!view_end_) return events_.size();
+  return static_cast<std::size_t>(
+      std::count_if(events_.begin(), events_.end(),
+                    [&](const RunEvent& event) { return event.time <= *view_end_; }));
 }
 
 void DataStore::add_event(RunEvent event) {

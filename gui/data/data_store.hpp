@@ -37,7 +37,7 @@ struct SignalRef {
   const SchemaSignal& info() const { return track->signal_list()[index]; }
   const Column& column() const { return track->column(index); }
   bool has_value() const { return track != nullptr && !track->empty(); }
-  double last() const;  // NaN when there is none yet
+  double last() const;  // of what is shown; NaN when there is none yet
 };
 
 /// What is known of one run: rows and events, wherever they come from. Everybody who looks at
@@ -56,9 +56,16 @@ class DataStore : public QObject {
   Track* track(std::string_view name) const;  // null when there is none
   /// "wall.force.z"; where several threads have it, the first.
   std::optional<SignalRef> find(std::string_view signal) const;
-  double now() const;  // [s] of the newest row of all
+  double newest() const;  // [s] of the newest row of all
+
+  /// Where what is shown ends [s]: at the newest row, or where playback stands.
+  double now() const { return view_end_.value_or(newest()); }
+  /// Playback: rows and events behind `time` [s] are there, but not shown yet. None: all are.
+  void set_view_end(std::optional<double> time);
 
   const std::deque<RunEvent>& events() const { return events_; }
+  /// How many of events() are shown: those up to now().
+  std::size_t events_shown() const;
   void add_event(RunEvent event);
 
  Q_SIGNALS:
@@ -68,6 +75,7 @@ class DataStore : public QObject {
  private:
   std::vector<std::unique_ptr<Track>> tracks_;
   std::deque<RunEvent> events_;
+  std::optional<double> view_end_;
 };
 
 }  // namespace trocar::gui

@@ -2,7 +2,9 @@
 #include "gui/data/track.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 namespace trocar::gui {
@@ -111,6 +113,11 @@ std::uint64_t Track::at(double time) const {
       high = middle;
   }
   return low;
+}
+
+std::uint64_t Track::view_end() const {
+  if (!view_time_) return end();
+  return at(std::nextafter(*view_time_, std::numeric_limits<double>::infinity()));
 }
 
 }  // namespace trocar::gui

@@ -46,6 +46,9 @@ class Track {
   const Column& column(std::size_t signal) const { return columns_[signal]; }
   /// The first row at or after `time` [s]; end() when there is none.
   std::uint64_t at(double time) const;
+  /// Behind the last row that is shown: end(), or where DataStore::set_view_end() puts it.
+  std::uint64_t view_end() const;
+  void set_view_end(std::optional<double> time) { view_time_ = time; }
   /// Rows that are missing between those that came: the tick jumped.
   std::uint64_t missing() const { return missing_; }
 
@@ -57,6 +60,7 @@ class Track {
   std::vector<Column> columns_;
   std::size_t tick_ = 0, time_ = 0;  // columns
   std::uint64_t missing_ = 0;
+  std::optional<double> view_time_;
 };
 
 }  // namespace trocar::gui

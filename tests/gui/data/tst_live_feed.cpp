@@ -3,6 +3,7 @@
 #include "gui/data/live_feed.hpp"
 
 #include <QSignalSpy>
+#include <cmath>
 
 #include "tests/support/stream_rig.hpp"
 
@@ -53,6 +54,29 @@ class TestLiveFeed : public QObject {
       std::memcpy(&value, row.data() + signal.row_offset, sizeof value);
       QCOMPARE(found->column()[1234], value);
     }
+  }
+
+  void what_is_behind_the_views_end_is_not_shown() {
+    StreamRig rig;
+    Looker looker(rig);
+    rig.begin();
+    QVERIFY(looker.wait([&] { return looker.feed.state().running; }));
+    rig.feed(0, 3000);
+    rig.end();
+    QVERIFY(looker.has_rows(3000));
+    const gui::SignalRef tick = *looker.store.find("tick");
+    for (const double time : {0.0, 1.2, 1.2004, 2.999, 9.0}) {
+      looker.store.set_view_end(time);
+      QCOMPARE(looker.store.now(), time);
+      QCOMPARE(tick.last(), std::min(std::floor(time * 1e3 + 1e-6), 2999.0));
+      QCOMPARE(tick.track->view_end(), static_cast<std::uint64_t>(tick.last()) + 1);
+    }
+    looker.store.set_view_end(-1.0);
+    QVERIFY(std::isnan(tick.last()));
+    QCOMPARE(looker.store.events_shown(), std::size_t{0});
+    looker.store.set_view_end(std::nullopt);
+    QCOMPARE(looker.store.now(), 2.999);
+    QCOMPARE(tick.last(), 2999.0);
   }
 
   void another_run_is_another_store() {
