@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gui/link/stream_client.hpp"
-#include "gui/watch/stop_check.hpp"
+#include "gui/link/stop_check.hpp"
 #include "gui/watch/terminal.hpp"
 #include "gui/watch/watch_text.hpp"
 

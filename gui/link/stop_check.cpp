@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gui/watch/stop_check.hpp"
+#include "gui/link/stop_check.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gui/operate/named_signals.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace trocar::gui {
+namespace {
+
+using GraphJson = nlohmann::json;
+
+std::string text(const GraphJson& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+bool flag(const GraphJson& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_boolean() && found->get<bool>();
+}
+
+const GraphJson& list(const GraphJson& object, const char* key) {
+  static const GraphJson none = GraphJson::array();
+  const auto found = object.find(key);
+  return found != object.end() && found->is_array() ? *found : none;
+}
+
+/// "wall.force" of the output `name`, or "" where the node has none.
+std::string output(const GraphJson& node, const char* name) {
+  for (const GraphJson& one : list(node, "outputs"))
+    if (text(one, "name") == name) return text(node, "name") + "." + name;
+  return "";
+}
+
+double number(const GraphJson& node, const char* parameter) {
+  for (const GraphJson& one : list(node, "parameters"))
+    if (text(one, "name") == parameter && !list(one, "si").empty() && one["si"][0].is_number())
+      return one["si"][0].get<double>();
+  return 0.0;
+}
+
+void take_device(const GraphJson& node, NamedSignals& signals) {
+  signals.device = text(node, "name");
+  signals.device_type = text(node, "type");
+  signals.force_cap = number(node, "handle_force_cap");
+  signals.moment_cap = number(node, "handle_moment_cap");
+  signals.applied = output(node, "effort_applied");
+  signals.scale = output(node, "scale");
+  signals.report_age = output(node, "report_age");
+  signals.dead_man = output(node, "dead_man");
+  signals.device_state = output(node, "device_state");
+  for (const GraphJson& one : list(node, "outputs")) {
+    signals.simulated = signals.simulated || flag(one, "truth");
+    if (text(one, "name") == "device_state")
+      for (const GraphJson& label : list(one, "labels"))
+        if (label.is_string()) signals.device_states.push_back(label);
+  }
+}
+
+/// What a site of a tool offers: where its points are.
+void take_sites(const GraphJson& graph, NamedSignals& signals) {
+  for (const GraphJson& group : list(graph, "groups")) {
+    const auto sites = group.find("sites");
+    if (sites == group.end() || !sites->is_object()) continue;
+    if (const auto tip = sites->find("tip"); tip != sites->end() && signals.tip.empty())
+      signals.tip = text(*tip, "position");
+  }
+}
+
+}  // namespace
+
+NamedSignals NamedSignals::of(const GraphJson& graph) {
+  NamedSignals signals;
+  if (!graph.is_object()) return signals;
+  for (const GraphJson& node : list(graph, "nodes")) {
+    if (!node.is_object()) continue;
+    if (flag(node, "device") && signals.device.empty()) take_device(node, signals);
+    if (signals.wrench.empty()) signals.wrench = output(node, "wrench");
+    if (text(node, "category") == "fixtures" || text(node, "type") == "LuaFixture")
+      if (const std::string force = output(node, "force"); !force.empty())
+        signals.fixtures.push_back({text(node, "name"), force, output(node, "depth")});
+  }
+  take_sites(graph, signals);
+  return signals;
+}
+
+}  // namespace trocar::gui

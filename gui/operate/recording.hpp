@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "gui/window/page.hpp"
+
+namespace trocar::gui {
+
+/// What is being recorded, by the run itself or by a client, and what was lost.
+class RecordingControl : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RecordingControl(const Sources& sources, QObject* parent = nullptr);
+
+  bool recording() const;
+  /// The trial has holes, or its recording failed: it stays so until the next one begins.
+  bool incomplete() const { return incomplete_; }
+  /// Why it failed; "" when it did not.
+  const QString& trouble() const { return trouble_; }
+  QString trial() const;  // its file
+  /// "REC 02:14 lost 0", "not recording", "RECORDING FAILED: …".
+  QString text() const;
+
+  /// @param file "" for a name by the date
+  void start(const QString& file = {});
+  void stop();
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void hear();
+  void hear_status(const stream::Status& status);
+  void fail(const QString& why);
+
+  Sources sources_;
+  QString trouble_;
+  bool incomplete_ = false;
+  double began_ = 0.0;  // [s] of the run
+  std::string file_;
+};
+
+}  // namespace trocar::gui

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gui/operate/run_status.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace trocar::gui {
+namespace {
+
+constexpr double window_s = 1.0;  // that the loop's health is judged by
+
+double value(const DataStore& data, const std::string& name, double otherwise) {
+  if (name.empty()) return otherwise;
+  const auto found = data.find(name);
+  const double last = found ? found->last() : std::nan("");
+  return std::isfinite(last) ? last : otherwise;
+}
+
+/// Of a vector's three numbers.
+double norm(const DataStore& data, const std::string& name) {
+  double sum = 0.0;
+  for (const char* axis : {".x", ".y", ".z"}) {
+    const double part = value(data, name + axis, 0.0);
+    sum += part * part;
+  }
+  return std::sqrt(sum);
+}
+
+double percentile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0.0;
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+/// The device's own thread, or the first.
+const Track* track_of(const DataStore& data, const NamedSignals& signals) {
+  if (const auto found = signals.scale.empty() ? std::nullopt : data.find(signals.scale))
+    return found->track;
+  return data.tracks().empty() ? nullptr : data.tracks().front().get();
+}
+
+std::uint64_t end_of(const Track& track, const DataStore& data) {
+  return track.at(std::nextafter(data.now(), 1e300));
+}
+
+void judge_loop(const Track& track, const DataStore& data, RunStatus& status) {
+  const std::uint64_t end = end_of(track, data);
+  if (end == track.first()) return;
+  status.tick = track.tick(end - 1);
+  status.time = track.time(end - 1);
+  const std::uint64_t begin = track.at(status.time - window_s);
+  const double span = status.time - track.time(begin);
+  const auto ticks = static_cast<double>(status.tick - track.tick(begin));
+  if (span > 0) status.rate = ticks / span;
+  const auto lateness = track.find("lateness"), duration = track.find("duration");
+  if (!lateness || !duration || status.rate <= 0) return;
+  std::vector<double> late, used;
+  for (std::uint64_t row = begin; row < end; ++row) {
+    late.push_back(1e-9 * track.column(*lateness)[row]);
+    used.push_back(late.back() + 1e-9 * track.column(*duration)[row]);
+  }
+  status.late_p99 = percentile(late, 0.99);
+  status.margin = 1.0 - percentile(used, 0.99) * status.rate;
+  status.missed = track.missing();
+}
+
+struct Flags {
+  bool fault = false, rendering = false;
+};
+
+Flags flags_of(const Track& track, const DataStore& data) {
+  const std::uint64_t end = end_of(track, data);
+  const auto column = track.find("flags");
+  if (!column || end == track.first()) return {};
+  const auto flags = static_cast<int>(track.column(*column)[end - 1]);
+  return {.fault = (flags & 1) != 0, .rendering = (flags & 2) != 0};
+}
+
+/// What the gate said last.
+std::string gate_word(const DataStore& data, const std::string& device) {
+  const auto shown = static_cast<std::ptrdiff_t>(data.events_shown());
+  for (auto event = data.events().begin() + shown; event != data.events().begin();) {
+    --event;
+    if (event->kind == "gate" && (device.empty() || event->source == device)) return event->detail;
+  }
+  return "";
+}
+
+RunState state_of(bool rendering, const std::string& word) {
+  if (word == "tripped" && !rendering) return RunState::stopped;
+  if (word == "cold") return RunState::cold;
+  if (word == "holding" && !rendering) return RunState::holding;
+  if (word == "engaging") return RunState::engaging;
+  return rendering ? RunState::engaged : RunState::holding;
+}
+
+/// A device with states of its own has the last word.
+void ask_device(const DataStore& data, const NamedSignals& signals, RunStatus& status) {
+  if (!signals.dead_man.empty()) status.hand = value(data, signals.dead_man, 0.0) > 0.5;
+  const double own = value(data, signals.device_state, -1.0);
+  const auto at = static_cast<std::size_t>(own < 0 ? 0 : own);
+  if (own < 0 || at >= signals.device_states.size()) return;
+  const std::string& word = signals.device_states[at];
+  status.state_note = "device: " + word;
+  if (word == "engaged")
+    status.state = std::max(status.state, RunState::engaging);
+  else if (status.state == RunState::engaged)
+    status.state = RunState::engaging;
+  if (word == "unhomed" || word == "homing") status.state = RunState::cold;
+}
+
+}  // namespace
+
+const char* to_string(Mode mode) {
+  switch (mode) {
+    case Mode::nothing:
+      return "NO DATA";
+    case Mode::live:
+      return "LIVE";
+    case Mode::simulated:
+      return "SIMULATED";
+    case Mode::replay:
+      return "REPLAY";
+  }
+  return "?";
+}
+
+const char* to_string(RunState state) {
+  switch (state) {
+    case RunState::unknown:
+      return "UNKNOWN";
+    case RunState::no_run:
+      return "NO RUN";
+    case RunState::ended:
+      return "RUN ENDED";
+    case RunState::stopped:
+      return "STOPPED";
+    case RunState::cold:
+      return "NOT READY";
+    case RunState::holding:
+      return "HOLDING";
+    case RunState::engaging:
+      return "ENGAGING";
+    case RunState::engaged:
+      return "ENGAGED";
+  }
+  return "?";
+}
+
+RunStatus RunStatus::of(const Sources& sources, const NamedSignals& signals) {
+  RunStatus status;
+  const Track* track = track_of(sources.data, signals);
+  status.mode = sources.link == nullptr ? Mode::replay
+                : track == nullptr      ? Mode::nothing
+                : signals.simulated     ? Mode::simulated
+                                        : Mode::live;
+  status.force_cap = signals.force_cap;
+  status.moment_cap = signals.moment_cap;
+  if (track != nullptr && !track->empty()) {
+    judge_loop(*track, sources.data, status);
+    const Flags flags = flags_of(*track, sources.data);
+    status.fault = flags.fault;
+    status.state = state_of(flags.rendering, gate_word(sources.data, signals.device));
+    ask_device(sources.data, signals, status);
+    status.scale = value(sources.data, signals.scale, 1.0);
+    status.has_force = !signals.wrench.empty();
+    status.force = status.scale * norm(sources.data, signals.wrench + ".force");
+    status.moment = status.scale * norm(sources.data, signals.wrench + ".moment");
+    status.has_report_age = !signals.report_age.empty();
+    status.report_age = value(sources.data, signals.report_age, 0.0);
+  }
+  if (sources.link != nullptr && sources.link->state() != LinkState::open && track != nullptr) {
+    status.state = RunState::unknown;
+    status.state_note = "the device may still be engaged";
+  } else if (sources.live != nullptr && !sources.live->state().running && track != nullptr) {
+    status.state = RunState::ended;
+    status.state_note.clear();
+  }
+  return status;
+}
+
+}  // namespace trocar::gui

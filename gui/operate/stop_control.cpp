@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gui/operate/stop_control.hpp"
+
+#include <algorithm>
+
+namespace trocar::gui {
+namespace {
+
+constexpr int look_interval_ms = 5;
+
+}  // namespace
+
+StopControl::StopControl(const Sources& sources, QObject* parent)
+    : QObject(parent), sources_(sources) {
+  clock_.start();
+  connect(&look_, &QTimer::timeout, this, &StopControl::look);
+  if (sources_.live != nullptr) connect(sources_.live, &LiveFeed::grew, this, &StopControl::look);
+}
+
+std::int64_t StopControl::newest_tick() const {
+  std::int64_t newest = -1;
+  for (const auto& track : sources_.data.tracks())
+    if (!track->empty()) newest = std::max(newest, track->tick(track->end() - 1));
+  return newest;
+}
+
+void StopControl::stop() {
+  if (sources_.link == nullptr) return;  // what is played back cannot be stopped
+  check_.ask(now_s());
+  set_state(State::stopping);
+  look_.start(look_interval_ms);
+  sources_.link->call("stop", nlohmann::json::object(),
+                      [this](const nlohmann::json&, const std::string& trouble) {
+                        if (trouble.empty()) check_.accepted(newest_tick());
+                      });
+}
+
+void StopControl::forget() {
+  if (state_ == State::stopping) return;
+  check_ = {};
+  set_state(State::idle);
+}
+
+void StopControl::look() {
+  if (state_ != State::stopping && state_ != State::not_confirmed) return;
+  bool rendering = false;
+  std::int64_t tick = -1;
+  for (const auto& track : sources_.data.tracks()) {
+    const auto flags = track->find("flags");
+    if (track->empty() || !flags) continue;
+    const std::uint64_t row = track->end() - 1;
+    tick = std::max(tick, track->tick(row));
+    rendering = rendering || (static_cast<int>(track->column(*flags)[row]) & 2) != 0;
+  }
+  check_.saw(now_s(), tick, rendering);
+  if (sources_.live != nullptr && sources_.link->state() == LinkState::open &&
+      sources_.live->state().run > 0 && !sources_.live->state().running)
+    check_.saw_end(now_s());
+  if (check_.confirmed_after()) {
+    look_.stop();
+    return set_state(State::confirmed);
+  }
+  if (state_ == State::stopping && check_.overdue(now_s())) {
+    set_state(State::not_confirmed);
+    Q_EMIT not_confirmed();
+  }
+}
+
+void StopControl::set_state(State state) {
+  if (state == state_ && state != State::stopping) return;
+  state_ = state;
+  Q_EMIT changed();
+}
+
+}  // namespace trocar::gui

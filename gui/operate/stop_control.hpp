@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <string>
+
+#include "gui/link/stop_check.hpp"
+#include "gui/window/page.hpp"
+
+namespace trocar::gui {
+
+/// The software stop: asks the runtime to end the rendering, and says whether rows that came after
+/// confirm it. Asking again asks anew.
+class StopControl : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State { idle, stopping, confirmed, not_confirmed };
+
+  explicit StopControl(const Sources& sources, QObject* parent = nullptr);
+
+  void stop();
+  State state() const { return state_; }
+  double confirmed_after() const { return check_.confirmed_after().value_or(0.0); }  // [s]
+  /// "STOPPED, confirmed after 8 ms"; "" while nothing was asked.
+  std::string text() const { return check_.text(now_s()); }
+  /// Nothing is said of a stop any more: it renders again.
+  void forget();
+
+ Q_SIGNALS:
+  void changed();
+  /// 250 ms went by: what the dashboard started itself is to be ended.
+  void not_confirmed();
+
+ private:
+  void look();
+  void set_state(State state);
+  double now_s() const { return 1e-9 * static_cast<double>(clock_.nsecsElapsed()); }
+  std::int64_t newest_tick() const;
+
+  Sources sources_;
+  StopCheck check_;
+  State state_ = State::idle;
+  QElapsedTimer clock_;
+  QTimer look_;
+};
+
+}  // namespace trocar::gui

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gui/plots/time_plot.hpp"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace trocar::gui {
+namespace {
+
+constexpr double label_interval = 0.2;  // [s] between texts that people have to read
+constexpr double least_scale = 0.999;   // below it the gate held back
+
+/// Room for numbers of any length, so that plots under each other have one time axis.
+constexpr QMargins margins(64, 6, 10, 34);
+
+}  // namespace
+
+TimePlot::TimePlot(DataStore& store, QWidget* parent)
+    : QWidget(parent),
+      data_(store),
+      title_(new QLabel(this)),
+      legend_(new QLabel(this)),
+      plot_(new QCustomPlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 2, 4, 2);
+  layout->setSpacing(0);
+  auto* head = new QHBoxLayout;
+  head->addWidget(title_);
+  head->addStretch(1);
+  head->addWidget(legend_);
+  legend_->setTextFormat(Qt::RichText);
+  legend_->setMinimumWidth(1);  // it may be cut, and must not widen the window
+  layout->addLayout(head);
+  layout->addWidget(plot_, 1);
+
+  plot_->axisRect()->setAutoMargins(QCP::msNone);
+  plot_->axisRect()->setMargins(margins);
+  plot_->setNotAntialiasedElements(QCP::aeAll);
+  plot_->setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
+  plot_->xAxis->setLabel("time before now [s]");
+  plot_->xAxis->setLabelPadding(1);
+  plot_->addLayer("curves", plot_->layer("main"), QCustomPlot::limAbove);
+  curves_layer_ = plot_->layer("curves");
+  curves_layer_->setMode(QCPLayer::lmBuffered);
+  shade_ = plot_->addGraph();
+  shade_->setLayer(curves_layer_);
+  shade_->setPen(Qt::NoPen);
+  setMinimumSize(160, 90);
+  set_span(span_);
+  set_theme(theme_);
+  connect(&data_, &DataStore::run_began, this, [this] {
+    for (auto& curve : curves_) curve->bins.clear();
+    saturation_.bins.clear();
+    frozen_.reset();
+  });
+}
+
+void TimePlot::set_title(const QString& title) {
+  title_->setText("<b>" + title.toHtmlEscaped() + "</b>");
+  setAccessibleName(title);
+}
+
+void TimePlot::add_curve(const std::string& signal) {
+  auto curve = std::make_unique<Curve>();
+  curve->signal = signal;
+  curve->graph = plot_->addGraph();
+  curve->graph->setLayer(curves_layer_);
+  curve->graph->setAdaptiveSampling(false);  // done already
+  curve->graph->setPen(theme_.curve(curves_.size()));
+  curves_.push_back(std::move(curve));
+  labelled_ = -1;
+}
+
+void TimePlot::remove_curve(const std::string& signal) {
+  const auto found = std::find_if(curves_.begin(), curves_.end(),
+                                  [&](const auto& one) { return one->signal == signal; });
+  if (found == curves_.end()) return;
+  plot_->removeGraph((*found)->graph);
+  curves_.erase(found);
+  set_theme(theme_);
+}
+
+void TimePlot::clear_curves() {
+  while (!curves_.empty()) remove_curve(curves_.back()->signal);
+}
+
+std::vector<std::string> TimePlot::curve_names() const {
+  std::vector<std::string> names;
+  for (const auto& curve : curves_) names.push_back(curve->signal);
+  return names;
+}
+
+void TimePlot::set_span(double seconds) {
+  span_ = seconds;
+  plot_->xAxis->setRange(-span_, 0.0);
+  all_ = true;
+}
+
+void TimePlot::set_cap(double value) {
+  for (QCPItemStraightLine* line : caps_) plot_->removeItem(line);
+  caps_.clear();
+  for (const double at : {value, -value}) {
+    auto* line = new QCPItemStraightLine(plot_);
+    line->point1->setCoords(0, at);
+    line->point2->setCoords(1, at);
+    caps_.push_back(line);
+    scale_.include(at);
+  }
+  set_theme(theme_);
+}
+
+void TimePlot::set_saturation(const std::string& signal) {
+  saturation_.signal = signal;
+  saturation_.bins.clear();
+}
+
+void TimePlot::set_theme(const Theme& theme) {
+  theme_ = theme;
+  plot_->setBackground(theme.surface);
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
+    axis->setBasePen(QPen(theme.muted));
+    axis->setTickPen(QPen(theme.muted));
+    axis->setSubTickPen(QPen(theme.muted));
+    axis->setTickLabelColor(theme.text);
+    axis->setLabelColor(theme.text);
+    axis->grid()->setPen(QPen(theme.grid));
+    axis->grid()->setZeroLinePen(QPen(theme.muted));
+  }
+  for (std::size_t i = 0; i < curves_.size(); ++i) curves_[i]->graph->setPen(theme.curve(i));
+  for (QCPItemStraightLine* line : caps_) line->setPen(QPen(theme.danger, 1, Qt::DashLine));
+  QColor shade = theme.warning;
+  shade.setAlpha(70);
+  shade_->setBrush(shade);
+  labelled_ = -1;
+  all_ = true;
+}
+
+void TimePlot::freeze(std::optional<double> at) {
+  frozen_ = at;
+  labelled_ = -1;
+}
+
+void TimePlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  all_ = true;
+}
+
+void TimePlot::refresh() {
+  const double now = end();
+  Extremes extremes;
+  for (auto& curve : curves_) {
+    draw(*curve, now);
+    extremes.add(curve->bins.extremes());
+  }
+  if (scale_.follow(extremes, data_.now())) {
+    plot_->yAxis->setRange(scale_.lower(), scale_.upper());
+    all_ = true;
+  }
+  draw_saturation(now);
+  label();
+  if (all_)
+    plot_->replot(QCustomPlot::rpImmediateRefresh);
+  else
+    curves_layer_->replot();
+  all_ = false;
+}
+
+void TimePlot::draw(Curve& curve, double end) {
+  const auto signal = data_.find(curve.signal);
+  points_.clear();
+  if (signal && !signal->track->empty()) {
+    curve.bins.show(*signal, end, span_, std::max(10, plot_->axisRect()->width()));
+    for (const BinnedCurve::Bin& bin : curve.bins.bins()) {
+      const double at = (static_cast<double>(bin.number) + 0.5) * curve.bins.width() - end;
+      if (bin.after_gap || bin.extremes.empty()) points_.append({at, std::nan("")});
+      if (bin.extremes.empty()) continue;
+      points_.append({at, bin.extremes.min});
+      if (bin.extremes.max > bin.extremes.min) points_.append({at, bin.extremes.max});
+    }
+  } else {
+    curve.bins.clear();
+  }
+  curve.graph->data()->set(points_, true);
+}
+
+void TimePlot::draw_saturation(double end) {
+  const auto signal = saturation_.signal.empty() ? std::nullopt : data_.find(saturation_.signal);
+  points_.clear();
+  if (signal && !signal->track->empty()) {
+    saturation_.bins.show(*signal, end, span_, 200);
+    const double top = plot_->yAxis->range().upper;
+    for (const BinnedCurve::Bin& bin : saturation_.bins.bins()) {
+      const double at = static_cast<double>(bin.number) * saturation_.bins.width() - end;
+      const double height = bin.extremes.min < least_scale ? top : 0.0;
+      points_.append({at, height});
+      points_.append({at + saturation_.bins.width(), height});
+    }
+  }
+  shade_->data()->set(points_, true);
+}
+
+/// Names, colours, last values and units, a few times a second.
+void TimePlot::label() {
+  const double now = data_.now();
+  if (labelled_ >= 0 && std::abs(now - labelled_) < label_interval) return;
+  labelled_ = now;
+  QString text, units;
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    const auto signal = data_.find(curves_[i]->signal);
+    const QPen pen = theme_.curve(i);
+    static const char* const marks[] = {"▬", "▬ ▬", "▪▪▪"};
+    text += QString("&nbsp;&nbsp;<span style='color:%1'>%2</span> %3 ")
+                .arg(pen.color().name(), marks[i / 7 % 3],
+                     QString::fromStdString(curves_[i]->signal).toHtmlEscaped());
+    if (!signal || !std::isfinite(signal->last())) {
+      text += QString("<span style='color:%1'>no value</span>").arg(theme_.muted.name());
+      continue;
+    }
+    text += QString("<b>%1</b> %2")
+                .arg(QString::number(signal->last(), 'g', 4),
+                     QString::fromStdString(signal->info().unit).toHtmlEscaped());
+    const QString unit = QString::fromStdString(signal->info().unit);
+    if (!units.contains(unit)) units += (units.isEmpty() ? "" : ", ") + unit;
+  }
+  if (frozen_)
+    text = QString("<b>FROZEN, behind %1 s; the run goes on</b>").arg(now - *frozen_, 0, 'f', 1) +
+           text;
+  legend_->setText(text);
+  const QString axis = units.isEmpty() ? QString() : "[" + units + "]";
+  if (axis == plot_->yAxis->label()) return;
+  plot_->yAxis->setLabel(axis);
+  all_ = true;
+}
+
+}  // namespace trocar::gui
