@@ -87,6 +87,8 @@ std::string row_text(const Json& row) {
   const auto value_text = [](const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+    constexpr std::size_t longest = 6;  // of a list that is read in a line
+    if (value.is_array() && value.size() > longest) return fmt::format("[{} values]", value.size());
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
   };
   if (!row.is_object()) return value_text(row);

@@ -234,6 +234,9 @@ std::string many_runs_text(const Session& session) {
 std::string cell_text(const Literal& value) {
   if (const auto* number = value.as<double>()) return fmt::format("{:.6g}", *number);
   if (const auto* text = value.as<std::string>()) return *text;
+  constexpr std::size_t longest = 6;  // of a list that is read in a table
+  if (const auto* list = value.as<Literal::List>(); list != nullptr && list->size() > longest)
+    return fmt::format("{} values", list->size());
   return value.text();
 }
 

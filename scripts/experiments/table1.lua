@@ -34,7 +34,7 @@ local function publish(rows, compensated)
     for _, row in ipairs(case) do
       trocar.publish("table1", { axis = row.axis, desired = row.desired, slope = row.slope,
         error = row.error, r2 = row.r2, seed = row.seed, compensated = compensated,
-        slope_of_x_on_f = row.inverse, hysteresis = row.hysteresis })
+        slope_of_x_on_f = row.inverse, hysteresis = row.hysteresis, x = row.x, force = row.force })
     end
   end
 end
