@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "gui/link/stream_client.hpp"
 #include "gui/link/stop_check.hpp"
+#include "gui/link/stream_client.hpp"
 #include "gui/watch/terminal.hpp"
 #include "gui/watch/watch_text.hpp"
 
@@ -20,10 +20,10 @@ struct WatchOptions {
   enum class Form { screen, lines, json };
   Form form = Form::screen;
   std::vector<std::string> patterns{};  // of signals; all when empty
-  double interval = 1.0;              // [s] between values
-  double seconds = 0.0;               // until it leaves; 0: when asked to
-  bool list = false;                  // the signals once, then leave
-  bool stop = false;                  // stop the rendering, then leave
+  double interval = 1.0;                // [s] between values
+  double seconds = 0.0;                 // until it leaves; 0: when asked to
+  bool list = false;                    // the signals once, then leave
+  bool stop = false;                    // stop the rendering, then leave
 };
 
 /// What `trocar watch` does: follows the previews of a live stream and tells of them.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QVBoxLayout>
+#include <vector>
+
+#include "gui/operate/operator.hpp"
+#include "gui/pages/force_meter.hpp"
+#include "gui/pages/parameter_row.hpp"
+#include "gui/plots/time_plot.hpp"
+#include "gui/plots/xy_plot.hpp"
+
+namespace trocar::gui {
+
+/// The first screen: force at the handle, live plots, and the parameters of the fixtures.
+class OperatePage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit OperatePage(Operator& operators, QWidget* parent = nullptr);
+
+  QString title() const override { return "Operate"; }
+  QKeySequence shortcut() const override { return QKeySequence("Ctrl+1"); }
+  void refresh() override;
+  void set_theme(const Theme& theme) override;
+  /// Stops or resumes the pictures.
+  void toggle_freeze();
+  bool frozen() const { return force_->frozen(); }
+  /// Beside the force: the device's picture.
+  void set_picture(QWidget* picture);
+
+ private:
+  void choose_signals();
+  void choose_parameters();
+
+  Operator& operator_;
+  ForceMeter* meter_;
+  QVBoxLayout* left_;
+  TimePlot *force_, *tip_;
+  XyPlot* over_depth_;
+  QVBoxLayout* rows_;
+  std::vector<ParameterRow*> parameters_;
+  Theme theme_ = Theme::light();
+};
+
+}  // namespace trocar::gui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QMainWindow>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTimer>
+#include <vector>
+
+#include "gui/operate/operator.hpp"
+#include "gui/window/loop_strip.hpp"
+#include "gui/window/page.hpp"
+#include "gui/window/state_strip.hpp"
+
+namespace trocar::gui {
+
+/// The operator's window: what is always in sight at its top and bottom, pages between, and a
+/// border that says whether this is live, simulated or a replay.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// @param subject what is looked at, for the title: a script, a log, an address
+  MainWindow(Operator& operators, const QString& subject);
+
+  void add_page(Page* page);
+  Page* page() const;
+  void show_page(int number);
+  const std::vector<Page*>& pages() const { return pages_; }
+  void set_theme(const Theme& theme);
+  const Theme& theme() const { return theme_; }
+  /// The script's mark and the trial, which stand in every picture.
+  void set_mark(const QString& mark);
+
+  /// Everything anew, now; a timer does it 30 times a second.
+  void refresh();
+  void show_shortcuts();
+  StateStrip& state_strip() { return *state_; }
+
+ protected:
+  /// F12 stops wherever the focus is, also in a dialog.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void add_key(const QKeySequence& key, const QString& what, const std::function<void()>& act);
+
+  Operator& operator_;
+  QString subject_, mark_;
+  StateStrip* state_;
+  QTabBar* tabs_;
+  QStackedWidget* stack_;
+  QLabel* mark_label_;
+  LoopStrip* loop_;
+  std::vector<Page*> pages_;
+  std::vector<std::pair<QString, QString>> keys_;  // key and what it does
+  QTimer timer_;
+  Theme theme_ = Theme::light();
+};
+
+}  // namespace trocar::gui

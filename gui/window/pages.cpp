@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gui/window/pages.hpp"
+
+#include "gui/pages/alarms_page.hpp"
+#include "gui/pages/operate_page.hpp"
+#include "gui/pages/parameters_page.hpp"
+
+namespace trocar::gui {
+
+void add_pages(MainWindow& window, Operator& operators) {
+  window.add_page(new OperatePage(operators));
+  window.add_page(new ParametersPage(operators));
+  window.add_page(new AlarmsPage(operators));
+}
+
+}  // namespace trocar::gui
