@@ -41,12 +41,8 @@ const Track* track_of(const DataStore& data, const NamedSignals& signals) {
   return data.tracks().empty() ? nullptr : data.tracks().front().get();
 }
 
-std::uint64_t end_of(const Track& track, const DataStore& data) {
-  return track.at(std::nextafter(data.now(), 1e300));
-}
-
-void judge_loop(const Track& track, const DataStore& data, RunStatus& status) {
-  const std::uint64_t end = end_of(track, data);
+void judge_loop(const Track& track, RunStatus& status) {
+  const std::uint64_t end = track.view_end();
   if (end == track.first()) return;
   status.tick = track.tick(end - 1);
   status.time = track.time(end - 1);
@@ -70,8 +66,8 @@ struct Flags {
   bool fault = false, rendering = false;
 };
 
-Flags flags_of(const Track& track, const DataStore& data) {
-  const std::uint64_t end = end_of(track, data);
+Flags flags_of(const Track& track) {
+  const std::uint64_t end = track.view_end();
   const auto column = track.find("flags");
   if (!column || end == track.first()) return {};
   const auto flags = static_cast<int>(track.column(*column)[end - 1]);
@@ -159,8 +155,8 @@ RunStatus RunStatus::of(const Sources& sources, const NamedSignals& signals) {
   status.force_cap = signals.force_cap;
   status.moment_cap = signals.moment_cap;
   if (track != nullptr && !track->empty()) {
-    judge_loop(*track, sources.data, status);
-    const Flags flags = flags_of(*track, sources.data);
+    judge_loop(*track, status);
+    const Flags flags = flags_of(*track);
     status.fault = flags.fault;
     status.state = state_of(flags.rendering, gate_word(sources.data, signals.device));
     ask_device(sources.data, signals, status);
