@@ -20,7 +20,7 @@ std::string shell_quoted(std::string_view text) {
 }
 
 /// What follows as `complete` reads it: -x takes no file for it, -F any.
-std::string offer(const Argument& argument) {
+std::string fish_offer(const Argument& argument) {
   switch (argument.values) {
     case Values::choices:
       return " -x -a " + shell_quoted(join(argument.choices, " "));
@@ -38,11 +38,11 @@ std::string offer(const Argument& argument) {
   return "";
 }
 
-std::string option_line(const Argument& option, const std::string& condition) {
+std::string fish_option(const Argument& option, const std::string& condition) {
   std::string line = "complete -c trocar -n " + shell_quoted(condition);
   for (const std::string& name : option.names)
     line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-  if (option.values != Values::none && !option.may_stand_alone) line += offer(option);
+  if (option.values != Values::none && !option.may_stand_alone) line += fish_offer(option);
   return line + " -d " + shell_quoted(option.doc) + "\n";
 }
 
@@ -52,9 +52,10 @@ std::string lines(const CommandTree& tree, const std::string& path) {
   for (const CommandTree& command : tree.commands)
     text += fmt::format("complete -c trocar -n {} -a {} -d {}\n", shell_quoted(condition),
                         command.name, shell_quoted(command.doc));
-  for (const Argument& option : tree.options) text += option_line(option, condition);
+  for (const Argument& option : tree.options) text += fish_option(option, condition);
   for (const Argument& operand : tree.operands)
-    text += fmt::format("complete -c trocar -n {}{}\n", shell_quoted(condition), offer(operand));
+    text +=
+        fmt::format("complete -c trocar -n {}{}\n", shell_quoted(condition), fish_offer(operand));
   for (const CommandTree& command : tree.commands)
     text += lines(command, path.empty() ? command.name : path + " " + command.name);
   return text;

@@ -43,7 +43,7 @@ std::string action(const Argument& argument) {
   return "";
 }
 
-std::string option_line(const Argument& option, const std::string& name) {
+std::string zsh_option(const Argument& option, const std::string& name) {
   const std::string others = option.repeatable ? "*" : fmt::format("({})", join(option.names, " "));
   const std::string optional = option.may_stand_alone ? ":" : "";
   return fmt::format("    '{}{}{}[{}]{}{}' \\\n", others, name,
@@ -69,7 +69,7 @@ std::string functions(const CommandTree& tree, const std::string& path) {
   }
   std::string lines;
   for (const Argument& option : tree.options)
-    for (const std::string& name : option.names) lines += option_line(option, name);
+    for (const std::string& name : option.names) lines += zsh_option(option, name);
   for (const Argument& operand : tree.operands)
     lines += fmt::format("    '{}' \\\n", action(operand));
   if (tree.commands.empty())

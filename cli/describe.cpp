@@ -11,12 +11,12 @@
 namespace trocar::cli {
 namespace {
 
-struct Options {
+struct DescribeOptions {
   std::string name;
   bool json = false;
 };
 
-int describe_one(const Options& options) {
+int describe_one(const DescribeOptions& options) {
   const Registry registry = available_components();
   std::optional<Description> description;
   try {
@@ -37,7 +37,7 @@ int describe_one(const Options& options) {
 void add_describe(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("describe", "Explain a component: its inputs, outputs and parameters");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DescribeOptions>();
   command->add_option("NAME", options->name, "Component as scripts call it, e.g. Wall")
       ->required()
       ->type_name("COMPONENT");

@@ -36,7 +36,7 @@ void write_line(const std::string& path, std::string line) {
   line += '\n';
   const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
   const bool written =
-      file >= 0 && write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+      file >= 0 && ::write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
   const int error = errno;
   if (file >= 0) close(file);
   errno = error;
@@ -141,7 +141,7 @@ class GadgetPort final : public DevicePort {
     return size > 0 ? static_cast<std::size_t>(size) : 0;
   }
   void send(const hid::Report& report) override {
-    [[maybe_unused]] const ssize_t sent = write(file_, report.data(), report.size());
+    [[maybe_unused]] const ssize_t sent = ::write(file_, report.data(), report.size());
   }
 
   void plug() override {

@@ -15,8 +15,9 @@
 namespace trocar::cli {
 namespace {
 
-const std::vector<std::string> words{"corrupt", "dead-man", "deaf", "delay", "heat",  "jump",
-                                     "loss",    "plug",     "quit", "state", "stuck", "unplug"};
+const std::vector<std::string> order_words{"corrupt", "dead-man", "deaf",  "delay",
+                                           "heat",    "jump",     "loss",  "plug",
+                                           "quit",    "state",    "stuck", "unplug"};
 
 double share(const std::string& text, const std::string& order) {
   try {
@@ -163,7 +164,7 @@ std::string Emulator::obey(std::string_view line) {
     return state();
   } else if (!order.empty()) {
     throw std::invalid_argument(fmt::format("there is no order \"{}\"{}; possible are\n{}", order,
-                                            suggestion(order, words), orders()));
+                                            suggestion(order, order_words), orders()));
   }
   return "";
 }

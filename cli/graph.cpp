@@ -15,7 +15,7 @@
 namespace trocar::cli {
 namespace {
 
-struct Options {
+struct GraphOptions {
   ScriptOptions script;
   std::string format = "dot";
   std::string file = "-";
@@ -27,7 +27,7 @@ std::string graph_text(const Graph& graph, const WiredGraph& wired, const std::s
   return format == "mermaid" ? graph_mermaid(picture) : graph_dot(picture);
 }
 
-int draw(const Options& options) {
+int draw(const GraphOptions& options) {
   const Registry registry = available_components();
   SessionOptions session_options{.seed = options.script.seed, .check_only = true};
   session_options.print_to_stderr = true;
@@ -51,7 +51,7 @@ int draw(const Options& options) {
 
 void add_graph(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("graph", "Draw a script's graph without running it");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<GraphOptions>();
   options->script.add_to(*command);
   command->add_option("--format", options->format, "dot (Graphviz), mermaid, or json for programs")
       ->check(CLI::IsMember({"dot", "json", "mermaid"}));

@@ -13,7 +13,7 @@
 namespace trocar::cli {
 namespace {
 
-struct Options {
+struct InfoOptions {
   std::string file;
   std::string pattern;
   bool with_values = false;
@@ -34,7 +34,7 @@ bool any_matches(const LogSummary& log, const std::string& pattern,
   return false;
 }
 
-int inform(const Options& options) {
+int inform(const InfoOptions& options) {
   std::error_code error;
   if (!std::filesystem::exists(options.file, error)) {
     complain(fmt::format("info: there is no file {}", in_quotes(options.file)));
@@ -63,7 +63,7 @@ int inform(const Options& options) {
 
 void add_info(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("info", "Tell what a log holds");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InfoOptions>();
   command->add_option("LOG", options->file, "Log in MCAP format, from Trocar or anybody else")
       ->required()
       ->type_name("FILE.mcap");

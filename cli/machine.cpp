@@ -38,7 +38,7 @@ struct Processors {
   bool hypervisor = false;
 };
 
-Processors processors(const std::string& root) {
+Processors machine_processors(const std::string& root) {
   Processors result;
   std::ifstream file(root + "/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
@@ -76,7 +76,7 @@ std::string preemption(const std::string& root, const std::string& version) {
   return "none that the kernel's version names";
 }
 
-std::string governor(const std::string& root) {
+std::string machine_governor(const std::string& root) {
   std::set<std::string> all;
   std::error_code error;
   for (const auto& entry :
@@ -87,7 +87,7 @@ std::string governor(const std::string& root) {
                      : join({all.begin(), all.end()}, ", ");
 }
 
-std::string real_time_limit(const std::string& root) {
+std::string machine_real_time_limit(const std::string& root) {
   const std::string kernel = root + "/proc/sys/kernel/";
   const std::string runtime = line_of(kernel + "sched_rt_runtime_us");
   if (runtime.empty()) return unreadable;
@@ -109,7 +109,7 @@ std::string compiler() {
 std::vector<MachineFact> machine_facts(const std::string& root) {
   utsname kernel{};
   uname(&kernel);
-  const Processors all = processors(root);
+  const Processors all = machine_processors(root);
   const std::string devices = root + "/sys/devices/system/";
   return {
       {"kernel", "kernel", fmt::format("{} {} {}", kernel.sysname, kernel.release, kernel.machine)},
@@ -118,10 +118,10 @@ std::vector<MachineFact> machine_facts(const std::string& root) {
        line_or(devices + "clocksource/clocksource0/current_clocksource", unreadable)},
       {"processor", "processors", fmt::format("{} × {}", all.count, all.model)},
       {"virtual_machine", "virtual machine", virtual_machine(root, all)},
-      {"governor", "frequency governor", governor(root)},
+      {"governor", "frequency governor", machine_governor(root)},
       {"isolated", "isolated processors", line_or(devices + "cpu/isolated", "none")},
       {"load", "load average", line_or(root + "/proc/loadavg", unreadable)},
-      {"real_time_limit", "real-time threads may take", real_time_limit(root)},
+      {"real_time_limit", "real-time threads may take", machine_real_time_limit(root)},
       {"versions", "versions",
        fmt::format("trocar {}, {}, glibc {}", version(), compiler(), gnu_get_libc_version())}};
 }

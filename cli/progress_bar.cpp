@@ -12,7 +12,7 @@
 namespace trocar::cli {
 namespace {
 
-constexpr std::int64_t interval_ns = 100'000'000;
+constexpr std::int64_t bar_interval_ns = 100'000'000;
 constexpr std::size_t width = 40;  // [characters]
 
 }  // namespace
@@ -37,7 +37,7 @@ void ProgressBar::show(std::size_t done, std::size_t count) {
   if (!on_terminal_) return;
   const std::int64_t now = monotonic_ns();
   if (now < next_ns_) return;
-  next_ns_ = now + interval_ns;
+  next_ns_ = now + bar_interval_ns;
   const std::string line = "\r  " + bar_text(what_, done, count) + "\033[K";
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);

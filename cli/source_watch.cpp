@@ -14,7 +14,7 @@
 namespace trocar::cli {
 namespace {
 
-constexpr std::int64_t interval_ns = 200'000'000;
+constexpr std::int64_t watch_interval_ns = 200'000'000;
 
 std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
@@ -36,7 +36,7 @@ bool SourceWatch::look(RunControl& control) {
   }
   const std::int64_t now = monotonic_ns();
   if (now < next_ns_) return found;
-  next_ns_ = now + interval_ns;
+  next_ns_ = now + watch_interval_ns;
   const std::vector<Reloads::Part> parts = control.parts();
   for (const Reloads::Part& part : parts) found = reload(part, control) || found;
   if (!std::exchange(told_, true)) tell_what_is_watched(parts);

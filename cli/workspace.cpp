@@ -12,7 +12,7 @@
 namespace trocar::cli {
 namespace {
 
-struct Options {
+struct WorkspaceAnswer {
   WorkspaceOptions device;
   std::string csv;
   std::string json;
@@ -26,7 +26,7 @@ WorkspaceReport sampled(const WorkspaceOptions& options) {
        .progress = [&](std::size_t done, std::size_t count) { bar.show(done, count); }});
 }
 
-int show_workspace(const Options& options) {
+int show_workspace(const WorkspaceAnswer& options) {
   if (options.csv == "-" && options.json == "-")
     throw CLI::ValidationError("--csv", "only one of --csv and --json can go to standard output");
   // Before the time is spent.
@@ -55,7 +55,7 @@ int show_workspace(const Options& options) {
 void add_workspace(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "workspace", "Where the laparoscope's tool reaches, and how well it moves and pushes there");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<WorkspaceAnswer>();
   command
       ->add_option("--csv", options->csv, "Write the map cell by cell to this file, - for stdout")
       ->type_name("FILE")

@@ -10,13 +10,13 @@
 namespace trocar::cli {
 namespace {
 
-using Names = std::pair<std::string_view, std::string_view>;
+using Renaming = std::pair<std::string_view, std::string_view>;
 
 /// What the library calls a thing, and the parameter that sets it, where they differ.
 constexpr std::array renamed = {
-    Names{"slider_low", "slider_lowest"}, Names{"slider_high", "slider_highest"},
-    Names{"centre_offset", "centre_travel"}, Names{"engagement_low", "engagement_lowest"},
-    Names{"engagement_high", "engagement_highest"}};
+    Renaming{"slider_low", "slider_lowest"}, Renaming{"slider_high", "slider_highest"},
+    Renaming{"centre_offset", "centre_travel"}, Renaming{"engagement_low", "engagement_lowest"},
+    Renaming{"engagement_high", "engagement_highest"}};
 
 std::string parameter_called(std::string_view member) {
   for (const auto& [theirs, ours] : renamed)
