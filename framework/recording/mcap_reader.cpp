@@ -50,7 +50,12 @@ bool McapReader::may_hold(const Record& chunk, const TimeRange& range) const {
   return first <= range.last_ns && last >= range.first_ns;
 }
 
-void McapReader::messages(const MessageVisitor& visit, const TimeRange& range) const {
+std::uint64_t McapReader::data_begin() {
+  return mcap::magic.size();
+}
+
+std::uint64_t McapReader::messages_at(std::uint64_t place, const MessageVisitor& visit,
+                                      const TimeRange& range) const {
   const auto deliver = [&](const Record& record, const Cursor& content) {
     if (record.op != Op::message) return;
     const McapMessage message = mcap::parse_message(content);
@@ -58,15 +63,18 @@ void McapReader::messages(const MessageVisitor& visit, const TimeRange& range) c
     if (message.log_time_ns >= range.first_ns && message.log_time_ns <= range.last_ns)
       visit(message);
   };
+  const Record record = record_at(place, data_end_);
+  if (record.op == Op::data_end) return data_end_;
   std::vector<std::byte> buffer;
-  for (std::uint64_t offset = mcap::magic.size(); offset < data_end_;) {
-    const Record record = record_at(offset, data_end_);
-    if (record.op == Op::data_end) break;
-    if (record.op == Op::chunk && may_hold(record, range))
-      for_each_inside(chunk_records(record, buffer), deliver);
-    if (record.op == Op::message) deliver(record, whole_content_of(record, buffer));
-    offset = record.end();
-  }
+  if (record.op == Op::chunk && may_hold(record, range))
+    for_each_inside(chunk_records(record, buffer), deliver);
+  if (record.op == Op::message) deliver(record, whole_content_of(record, buffer));
+  return record.end();
+}
+
+void McapReader::messages(const MessageVisitor& visit, const TimeRange& range) const {
+  for (std::uint64_t place = data_begin(); place < data_end_;)
+    place = messages_at(place, visit, range);
 }
 
 std::vector<std::byte> McapReader::read(const McapAttachment& attachment) const {

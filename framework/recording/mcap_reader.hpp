@@ -65,6 +65,14 @@ class McapReader {
   /// Only those with a log time in `range`; other chunks are not even read.
   void messages(const MessageVisitor& visit, const TimeRange& range) const;
 
+  /// The same by and by, for those who cannot wait: visits what the record at `place` holds, of a
+  /// chunk all its messages. @param place data_begin() at first, then what the call before gave
+  /// @return where the next record begins; data_end() when there is none
+  std::uint64_t messages_at(std::uint64_t place, const MessageVisitor& visit,
+                            const TimeRange& range) const;
+  static std::uint64_t data_begin();
+  std::uint64_t data_end() const { return data_end_; }
+
   /// An attachment's data. @throw McapError when its checksum or place is wrong.
   std::vector<std::byte> read(const McapAttachment& attachment) const;
 

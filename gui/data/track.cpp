@@ -99,6 +99,11 @@ bool Track::is_before_end(std::span<const std::byte> row) const {
                          static_cast<double>(tick(end() - 1));
 }
 
+double Track::time_of(std::span<const std::byte> row) const {
+  const Ros2Leaf& leaf = decoder_.leaves()[time_];
+  return 1e-9 * read(row.data() + leaf.offset - cdr_head, leaf.type);
+}
+
 std::int64_t Track::tick(std::uint64_t row) const {
   return static_cast<std::int64_t>(columns_[tick_][row]);
 }

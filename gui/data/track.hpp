@@ -37,6 +37,7 @@ class Track {
 
   /// The row's tick is not behind that of the newest: it is another run's.
   bool is_before_end(std::span<const std::byte> row) const;
+  double time_of(std::span<const std::byte> row) const;  // [s] of a row that may not be here
 
   std::uint64_t first() const { return times_.first(); }
   std::uint64_t end() const { return times_.end(); }
