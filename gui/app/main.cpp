@@ -10,6 +10,7 @@
 
 #include "framework/version.hpp"
 #include "gui/app/dashboard.hpp"
+#include "gui/app/replay.hpp"
 #include "gui/figures/figure_command.hpp"
 #include "gui/pages/start_page.hpp"
 
@@ -18,9 +19,10 @@ namespace {
 using namespace trocar::gui;
 
 struct DashboardOptions {
-  std::string script, connect, theme = "light", screenshot, size = "1280x720";
+  std::string script, connect, log, theme = "light", screenshot, size = "1280x720";
   std::vector<std::string> runtime;
   double after = 5.0;
+  double at = 0.0;
   int page = 1;
 };
 
@@ -31,6 +33,12 @@ void add_options(CLI::App& app, DashboardOptions& options) {
   app.add_option("--connect", options.connect, "Attach to a run that is served instead")
       ->type_name("URL")
       ->excludes("script");
+  auto* open = app.add_option("--open", options.log, "Play a log instead")
+                   ->type_name("LOG.mcap")
+                   ->check(CLI::ExistingFile)
+                   ->excludes("script")
+                   ->excludes("--connect");
+  app.add_option("--at", options.at, "Where to stand in the log at first [s]")->needs(open);
   app.add_option("--theme", options.theme, "light or dark")
       ->check(CLI::IsMember({"light", "dark"}))
       ->capture_default_str();
@@ -65,6 +73,7 @@ void add_options(CLI::App& app, DashboardOptions& options) {
   app.footer(
       "Examples:\n  trocar-dashboard scripts/tutorial/01_feel_a_wall.lua\n"
       "  trocar-dashboard --connect ws://lab:8765/?token=…\n"
+      "  trocar-dashboard --open trial.mcap --at 12.5\n"
       "F12 stops the rendering, F1 shows all keys. This program is under the GPL, version 3.");
 }
 
@@ -74,8 +83,7 @@ QSize size_of(const std::string& text) {
   return {width, height};
 }
 
-void show(Dashboard& dashboard, const DashboardOptions& options) {
-  MainWindow& window = dashboard.window();
+void show(MainWindow& window, const DashboardOptions& options) {
   window.resize(size_of(options.size));
   window.set_theme(options.theme == "dark" ? Theme::dark_one() : Theme::light());
   window.show_page(options.page - 1);
@@ -97,7 +105,7 @@ void open(Dashboard& dashboard, const DashboardOptions& options) {
     dashboard.run(QFileInfo(QString::fromStdString(options.script)).absoluteFilePath(), runtime);
   else
     dashboard.attach(QUrl(QString::fromStdString(options.connect)));
-  show(dashboard, options);
+  show(dashboard.window(), options);
 }
 
 /// A start page that becomes a dashboard once somebody chose.
@@ -128,6 +136,19 @@ int choose(QApplication& app, DashboardOptions& options) {
   return app.exec();
 }
 
+int play(const DashboardOptions& options) {
+  std::unique_ptr<Replay> replay;
+  try {
+    replay = std::make_unique<Replay>(options.log);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "trocar-dashboard: {}\n", error.what());
+    return 1;
+  }
+  replay->clock().seek(options.at);
+  show(replay->window(), options);
+  return QApplication::exec();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -147,6 +168,7 @@ int main(int argc, char** argv) {
   QApplication app(argc, argv);
   app.setApplicationName("trocar-dashboard");
   app.setStyle("Fusion");  // the same everywhere, and it takes all colours of a palette
+  if (!options.log.empty()) return play(options);
   if (options.script.empty() && options.connect.empty()) return choose(app, options);
   Dashboard dashboard;
   open(dashboard, options);

@@ -80,6 +80,11 @@ void MainWindow::add_page(Page* page) {
   add_key(page->shortcut(), page->title(), [this, number] { show_page(number); });
 }
 
+void MainWindow::add_bar(QWidget* bar) {
+  static_cast<QVBoxLayout*>(centralWidget()->layout())
+      ->insertWidget(centralWidget()->layout()->indexOf(stack_) + 1, bar);
+}
+
 Page* MainWindow::page() const {
   return dynamic_cast<Page*>(stack_->currentWidget());
 }
@@ -94,6 +99,7 @@ void MainWindow::set_theme(const Theme& theme) {
   state_->set_theme(theme);
   mark_label_->setStyleSheet(QString("color:%1; padding:3px 8px;").arg(theme.muted.name()));
   for (Page* page : pages_) page->set_theme(theme);
+  Q_EMIT theme_changed(theme);
   refresh();
 }
 

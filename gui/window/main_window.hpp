@@ -24,6 +24,8 @@ class MainWindow : public QMainWindow {
   MainWindow(Operator& operators, const QString& subject);
 
   void add_page(Page* page);
+  /// Always in sight too, below the pages.
+  void add_bar(QWidget* bar);
   Page* page() const;
   void show_page(int number);
   const std::vector<Page*>& pages() const { return pages_; }
@@ -36,6 +38,9 @@ class MainWindow : public QMainWindow {
   void refresh();
   void show_shortcuts();
   StateStrip& state_strip() { return *state_; }
+
+ Q_SIGNALS:
+  void theme_changed(const trocar::gui::Theme& theme);
 
  protected:
   /// F12 stops wherever the focus is, also in a dialog.

@@ -12,11 +12,14 @@
 
 namespace trocar::gui {
 
+class LogFeed;
+
 /// What pages look at: the data, wherever they come from, and the link where they are live.
 struct Sources {
   DataStore& data;
   StreamClient* link = nullptr;  // null: a log is played
   LiveFeed* live = nullptr;
+  LogFeed* log = nullptr;  // that is played
 };
 
 /// A sheet of the window. It has models without widgets beneath it, and shows them.

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/playback/playback_bar.hpp"
+#include "gui/app/replay.hpp"
 #include "tests/support/script_bench.hpp"
 
 using namespace trocar;
@@ -315,6 +315,21 @@ class TestPlayback : public QObject {
     line.setValue(15000);  // as a screen reader does
     QCOMPARE(player.clock.now(), 1.5);
     QCOMPARE(line.accessibleDescription(), QString("1.500 s of 2.999 s"));
+  }
+
+  void the_window_of_a_live_run_shows_a_replay() {
+    QVERIFY_EXCEPTION_THROWN(Replay("/nowhere.mcap"), std::runtime_error);
+    Replay replay(log_.toStdString());
+    QVERIFY(QTest::qWaitFor([&] { return replay.feed().state() == LogFeed::State::loaded; }));
+    replay.clock().seek(2.0);
+    replay.window().show();
+    replay.window().set_theme(Theme::dark_one());
+    QVERIFY(replay.window().windowTitle().startsWith("REPLAY – wall.mcap"));
+    QVERIFY(replay.window().findChild<TimeLine*>("time_line")->isVisible());
+    for (std::size_t page = 0; page < replay.window().pages().size(); ++page) {
+      replay.window().show_page(static_cast<int>(page));
+      replay.window().refresh();
+    }
   }
 
   void a_picture_shows_where_playback_stands() {
