@@ -36,5 +36,8 @@ struct FigureKind {
 const std::vector<FigureKind>& figure_kinds();
 
 DrawnFigure draw_force_deflection(const ResultFile& file, const FigureOptions& options);
+DrawnFigure draw_chirp(const ResultFile& file, const FigureOptions& options);
+DrawnFigure draw_workspace(const ResultFile& file, const FigureOptions& options);
+DrawnFigure draw_lateness(const ResultFile& file, const FigureOptions& options);
 
 }  // namespace trocar::gui

@@ -9,8 +9,11 @@
 #include <cmath>
 
 #include "framework/report.hpp"
+#include "gui/figures/chirp_tracking.hpp"
 #include "gui/figures/figure.hpp"
 #include "gui/figures/figure_command.hpp"
+#include "gui/figures/lateness.hpp"
+#include "gui/figures/workspace_section.hpp"
 #include "tests/support/script_bench.hpp"
 
 using namespace trocar;
@@ -67,7 +70,7 @@ class TestFigures : public QObject {
     for (const FigureKind& one : figure_kinds()) {
       if (one.name != kind) continue;
       try {
-        one.draw(ResultFile(in), {.where = std::move(where)});
+        one.draw(ResultFile(in), {.where = std::move(where), .quantity = ""});
       } catch (const FigureError& error) {
         return error.what();
       }
@@ -111,6 +114,75 @@ class TestFigures : public QObject {
     QCOMPARE(all.curves[3].label, std::string("y, 18 N/mm"));
   }
 
+  void the_tracking_of_a_chirp_is_that_of_the_report() {
+    const auto outcome =
+        run_script_file(script("chirp"), {"seeds=1"}, {.duration = {}, .record = at("chirp.mcap")});
+    QVERIFY2(outcome.findings.isEmpty(), qPrintable(outcome.findings.join('\n')));
+    const ResultFile file(at("chirp.mcap"));
+    const ChirpTracking chirp = chirp_tracking(file, 1, "");
+    const nlohmann::json row = file.published().front().second.front();
+    QVERIFY(near(chirp.rms, row["rms"].get<double>()));
+    QVERIFY(near(chirp.worst, row["worst"].get<double>()));
+    QVERIFY(near(chirp.gain, row["gain"].get<double>()));
+    QVERIFY(near(chirp.lag, row["lag"].get<double>()));
+    QCOMPARE(chirp.time.front(), 0.5);
+    QCOMPARE(command({"--figure", "chirp", at("chirp.mcap"), at("chirp.svg")}), 0);
+    const QStringList texts = texts_of_svg(bytes_of(folder_.filePath("chirp.svg")));
+    for (const char* text : {"Time [s]", "z [mm]", "Error [mm]", "reference", "tip"})
+      QVERIFY2(texts.contains(text), qPrintable(texts.join(" | ")));
+    QCOMPARE(command({"--figure", "chirp", at("chirp.mcap"), at("no.png"), "--figure-run", "2"}),
+             2);
+    QFile::remove(folder_.filePath("chirp.mcap"));  // it is large
+  }
+
+  /// In real time, whatever this machine makes of it: the report of the same run says the same.
+  void lateness_is_that_of_the_report() {
+    const auto outcome =
+        run_script_file(TROCAR_SOURCE_DIR "/scripts/tutorial/01_feel_a_wall.lua", {},
+                        {.duration = 0.5, .record = at("late.mcap")}, ClockKind::realtime);
+    QVERIFY2(outcome.findings.isEmpty(), qPrintable(outcome.findings.join('\n')));
+    const Lateness late = lateness_of(ResultFile(at("late.mcap")), 1, "main");
+    const auto report = nlohmann::json::parse(report_json(*outcome.session))["runs"][0]["lateness"];
+    QCOMPARE(late.count, report["count"].get<std::size_t>());
+    for (const auto& [figure, name] : {std::pair{late.p50, "p50"}, std::pair{late.p99, "p99"},
+                                       std::pair{late.p999, "p999"}, std::pair{late.max, "max"}})
+      QVERIFY2(near(figure, report[name].get<double>()), name);
+    std::size_t ticks = 0;
+    for (const Lateness::Bin& bin : late.bins) ticks += bin.count;
+    QCOMPARE(ticks, late.count);
+    QCOMPARE(command({"--figure", "lateness", at("late.mcap"), at("late.pdf")}), 0);
+  }
+
+  void sections_of_a_workspace_are_cells_of_the_map() {
+    QByteArray map = "x,y,z,filled,condition_median\n";
+    for (const double z : {0.03, 0.05})
+      for (const double y : {-0.01, 0.01})
+        for (const double x : {-0.03, -0.01, 0.01})
+          map += QString("%1,%2,%3,%4,%5\n")
+                     .arg(x)
+                     .arg(y)
+                     .arg(z)
+                     .arg(z > 0.04 ? 1.0 : 0.5)
+                     .arg(x < -0.02 ? QString("nan") : QString::number(100 * (x + y + z)))
+                     .toUtf8();
+    const ResultFile file(written("map.csv", map));
+    const WorkspaceSections all = workspace_sections(file, "condition_median");
+    QVERIFY(near(all.edge, 0.02));
+    QCOMPARE(all.side.at, 0.01);  // of those beside zero
+    QCOMPARE(all.top.at, 0.05);   // where most is reached
+    QCOMPARE(all.side.cells.size(), std::size_t{6});
+    QCOMPARE(all.top.cells.size(), std::size_t{6});
+    QVERIFY(std::isnan(all.side.cells.front().value));
+    QVERIFY(near(all.least, 3.0));
+    QVERIFY(near(all.greatest, 7.0));
+    QCOMPARE(quantity_text("continuous_force_least"), std::string("Continuous force, least [N]"));
+    QCOMPARE(command({"--figure", "workspace", at("map.csv"), at("map.svg"), "--quantity",
+                      "condition_median"}),
+             0);
+    const QStringList texts = texts_of_svg(bytes_of(folder_.filePath("map.svg")));
+    QVERIFY2(texts.contains("Condition, median"), qPrintable(texts.join(" | ")));
+  }
+
   void a_fit_in_words() {
     const std::string in =
         written("line.json",
@@ -144,6 +216,23 @@ class TestFigures : public QObject {
         << "f.json" << QByteArray(R"({"published": {"s": [{"x": [1, 2], "force": [1, 2, 3]}]}})")
         << "force-deflection"
         << "rows";
+    QTest::newRow("a report where a log is needed")
+        << "g.json" << QByteArray(R"({"published": {}})") << "lateness"
+        << "needs the rows of a log (.mcap)";
+    QTest::newRow("a report without the rows of a chirp")
+        << "h.json" << QByteArray(R"({"published": {}})") << "chirp"
+        << "a ChirpMotion whose offset goes to a PoseSpring";
+    QTest::newRow("a table of something else") << "i.csv" << QByteArray("x,y\n1,2\n") << "workspace"
+                                               << "there is no column z";
+    QTest::newRow("a table with a word in it")
+        << "j.csv" << QByteArray("x,y\n1,two\n") << "workspace"
+        << "line 2: \"two\" in column y is no number";
+    QTest::newRow("a table with a line too long")
+        << "k.csv" << QByteArray("x,y\n1,2,3\n") << "workspace"
+        << "line 2 has 3 cells, the first line names 2 columns";
+    QTest::newRow("a map without the column")
+        << "l.csv" << QByteArray("x,y,z,filled,continuous_force_leest\n1,1,1,1,1\n") << "workspace"
+        << "did you mean \"continuous_force_leest\"?";
   }
   void a_file_that_does_not_carry_a_figure_says_what_is_needed() {
     QFETCH(QString, name);
