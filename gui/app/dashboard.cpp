@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gui/app/dashboard.hpp"
 
-#include <QCryptographicHash>
-#include <QFile>
 #include <QFileInfo>
 
 #include "gui/window/pages.hpp"
 
 namespace trocar::gui {
-namespace {
-
-/// The script's name, and of its text what tells one version from another.
-QString mark_of(const QString& script) {
-  QFile file(script);
-  if (!file.open(QFile::ReadOnly)) return QFileInfo(script).fileName();
-  const QByteArray hash = QCryptographicHash::hash(file.readAll(), QCryptographicHash::Sha256);
-  return QString("%1 %2").arg(QFileInfo(script).fileName(), QString(hash.toHex().left(8)));
-}
-
-}  // namespace
 
 Dashboard::Dashboard() = default;
 
@@ -30,16 +17,21 @@ void Dashboard::open_window(const QString& subject) {
 
 void Dashboard::run(const QString& script, const QStringList& options) {
   open_window(QFileInfo(script).fileName());
-  window_->set_mark(mark_of(script));
   runtime_ = std::make_unique<Runtime>();
   connect(runtime_.get(), &Runtime::serving, this, [this](const QUrl& url) { link_.open(url); });
-  connect(runtime_.get(), &Runtime::ended, this, [this](const QString& why) {
-    const QString last = runtime_->said().trimmed().section('\n', -1);
-    window_->state_strip().say(QString("the runtime ended, %1: %2").arg(why, last));
-  });
+  connect(runtime_.get(), &Runtime::ended, this, &Dashboard::hear_end);
   // It does not answer, so its device's watchdog has to do it.
   connect(&operator_->stop_control(), &StopControl::not_confirmed, runtime_.get(), &Runtime::kill);
   runtime_->start(script, options);
+}
+
+/// It would otherwise connect to whoever gets that port next.
+void Dashboard::hear_end(const QString& why) {
+  link_.close();
+  operator_->set_runtime_ended(true);
+  const QString last = runtime_->said().trimmed().section('\n', -1).trimmed();
+  window_->state_strip().set_notice(
+      QString("The run has ended: %1%2").arg(why, last.isEmpty() ? "" : ". It said: " + last));
 }
 
 void Dashboard::attach(const QUrl& url) {

@@ -31,6 +31,7 @@ class Dashboard : public QObject {
 
  private:
   void open_window(const QString& subject);
+  void hear_end(const QString& why);
 
   DataStore data_;
   StreamClient link_;

@@ -24,6 +24,8 @@ struct RunEvent {
   std::string detail;
   double value = 0.0;
   double limit = 0.0;
+
+  bool operator==(const RunEvent&) const = default;
 };
 
 /// @throw std::runtime_error when the bytes are not a "trocar/Event" as CDR

@@ -51,8 +51,10 @@ void LiveFeed::follow_channels() {
       wanted.push_back(id);
   }
   for (const std::uint32_t id : wanted)
-    if (std::find(subscribed_.begin(), subscribed_.end(), id) == subscribed_.end())
+    if (std::find(subscribed_.begin(), subscribed_.end(), id) == subscribed_.end()) {
+      if (client_.channels().at(id).topic == "/events") told_again_ = true;
       client_.subscribe(id);
+    }
   subscribed_ = std::move(wanted);
   if (batches.empty() || same(batches, run_channels_)) return;
   run_channels_ = std::move(batches);
@@ -100,9 +102,18 @@ void LiveFeed::take(const stream::Channel& channel, std::span<const std::byte> b
   if (is_batch(channel))
     take_rows(thread_of(channel.topic), bytes);
   else if (channel.topic == "/events")
-    store_.add_event(read_event(bytes));
+    take_event(read_event(bytes));
   else if (channel.topic == "/trocar/state")
     take_state(bytes);
+}
+
+void LiveFeed::take_event(RunEvent event) {
+  if (told_again_) {
+    const auto& known = store_.events();
+    if (std::find(known.begin(), known.end(), event) != known.end()) return;
+    told_again_ = false;
+  }
+  store_.add_event(std::move(event));
 }
 
 void LiveFeed::take_rows(const std::string& thread, std::span<const std::byte> bytes) {

@@ -45,6 +45,7 @@ class LiveFeed : public QObject {
   void take(const stream::Channel& channel, std::span<const std::byte> bytes);
   void take_rows(const std::string& thread, std::span<const std::byte> bytes);
   void take_state(std::span<const std::byte> bytes);
+  void take_event(RunEvent event);
   void ask_graph();
   const stream::Channel* row_channel(const std::string& thread) const;
 
@@ -54,6 +55,7 @@ class LiveFeed : public QObject {
   StreamState state_;
   nlohmann::json graph_, parameters_;
   std::vector<std::uint32_t> subscribed_;
+  bool told_again_ = false;                    // a server tells its newest events to who comes back
   std::vector<stream::Channel> run_channels_;  // of the run whose rows are in the store
 };
 

@@ -17,6 +17,8 @@ StreamState state_of(const nlohmann::json& json) {
   read_member(json, "running", state.running);
   read_member(json, "simulated", state.virtual_time);
   read_member(json, "time", state.time);
+  read_member(json, "script", state.script);
+  read_member(json, "sha256", state.sha256);
   read_member(json, "log", state.log);
   read_member(json, "trouble", state.trouble);
   read_member(json, "stream_missed", state.stream_missed);

@@ -7,21 +7,36 @@ namespace trocar::gui {
 
 AlarmModel::AlarmModel(DataStore& data, QObject* parent)
     : QAbstractTableModel(parent), store_(data) {
-  for (const RunEvent& event : store_.events()) take(event);
   connect(&store_, &DataStore::run_began, this, &AlarmModel::clear);
-  connect(&store_, &DataStore::event_added, this, &AlarmModel::take);
+  connect(&store_, &DataStore::event_added, this, [this](const RunEvent& event) {
+    if (store_.events_shown() < store_.events().size())
+      return;  // refresh() takes it when it is due
+    shown_ = store_.events().size();
+    take(event);
+  });
+  refresh();
+}
+
+void AlarmModel::refresh() {
+  const std::size_t shown = store_.events_shown();
+  if (shown == shown_) return;
+  if (shown < shown_) clear();
+  while (shown_ < shown) take(store_.events()[shown_++]);
 }
 
 void AlarmModel::clear() {
   beginResetModel();
   alarms_.clear();
+  shown_ = 0;
+  refused_tick_ = -1;
   endResetModel();
   Q_EMIT changed();
 }
 
 void AlarmModel::take(const RunEvent& event) {
   if (event.kind == "fault") take_fault(event);
-  if (event.kind == "acknowledged") acknowledge_all();
+  if (event.kind == "acknowledged") acknowledge(event);
+  if (event.kind == "acknowledge refused" && !event.source.empty()) refuse(event);
 }
 
 void AlarmModel::take_fault(const RunEvent& event) {
@@ -41,7 +56,8 @@ void AlarmModel::take_fault(const RunEvent& event) {
                        .limit = event.limit,
                        .count = 1,
                        .last_time = event.time,
-                       .acknowledged = false});
+                       .acknowledged = false,
+                       .acknowledged_at = -1});
     endInsertRows();
   } else {
     ++same->count;
@@ -52,9 +68,28 @@ void AlarmModel::take_fault(const RunEvent& event) {
   Q_EMIT changed();
 }
 
-void AlarmModel::acknowledge_all() {
-  if (alarms_.empty()) return;
-  for (Alarm& alarm : alarms_) alarm.acknowledged = true;
+/// Of several devices each answers, and faults stay latched until all of them have acknowledged.
+void AlarmModel::acknowledge(const RunEvent& event) {
+  if (alarms_.empty() || event.tick == refused_tick_) return;
+  for (Alarm& alarm : alarms_) {
+    if (alarm.acknowledged) continue;
+    alarm.acknowledged = true;
+    alarm.acknowledged_at = event.tick;
+  }
+  Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(alarms_.size()) - 1, columns - 1));
+  Q_EMIT changed();
+}
+
+void AlarmModel::refuse(const RunEvent& event) {
+  refused_tick_ = event.tick;
+  bool any = false;
+  for (Alarm& alarm : alarms_) {
+    if (!alarm.acknowledged || alarm.acknowledged_at != event.tick) continue;
+    alarm.acknowledged = false;
+    alarm.acknowledged_at = -1;
+    any = true;
+  }
+  if (!any) return;
   Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(alarms_.size()) - 1, columns - 1));
   Q_EMIT changed();
 }
@@ -65,10 +100,11 @@ const Alarm* AlarmModel::first() const {
   return nullptr;
 }
 
-QString AlarmModel::text(const Alarm& alarm) {
-  QString text = QString("%1: %2, tick %3").arg(alarm.source, alarm.cause).arg(alarm.tick);
+QString AlarmModel::text(const Alarm& alarm, double now) {
+  QString text = QString("%1: %2").arg(alarm.source, alarm.cause);
   if (alarm.limit != 0.0)
     text += QString(" (%1, limit %2)").arg(alarm.value, 0, 'g', 4).arg(alarm.limit, 0, 'g', 4);
+  text += QString(", tick %1, %2 s ago").arg(alarm.tick).arg(now - alarm.time, 0, 'f', 0);
   if (alarm.count > 1) text += QString(", %1 times").arg(alarm.count);
   return text;
 }

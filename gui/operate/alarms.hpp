@@ -19,6 +19,7 @@ struct Alarm {
   int count = 1;
   double last_time = 0.0;  // [s]
   bool acknowledged = false;
+  std::int64_t acknowledged_at = -1;  // tick
 };
 
 /// The faults of a run, the first cause on top. They stay until they are acknowledged, and the
@@ -34,7 +35,10 @@ class AlarmModel : public QAbstractTableModel {
   const std::vector<Alarm>& alarms() const { return alarms_; }
   /// The first that nobody has acknowledged; null when there is none.
   const Alarm* first() const;
-  static QString text(const Alarm& alarm);
+  /// Cause, tick, and how long ago `now` [s] it came.
+  static QString text(const Alarm& alarm, double now);
+  /// Playback: what lies behind the place where it stands is not shown.
+  void refresh();
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -48,11 +52,14 @@ class AlarmModel : public QAbstractTableModel {
  private:
   void take(const RunEvent& event);
   void take_fault(const RunEvent& event);
-  void acknowledge_all();
+  void acknowledge(const RunEvent& event);
+  void refuse(const RunEvent& event);
   void clear();
 
   DataStore& store_;
   std::vector<Alarm> alarms_;
+  std::size_t shown_ = 0;           // of the store's events
+  std::int64_t refused_tick_ = -1;  // at which a device did not acknowledge
 };
 
 }  // namespace trocar::gui

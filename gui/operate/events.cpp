@@ -4,21 +4,27 @@
 namespace trocar::gui {
 
 EventModel::EventModel(DataStore& store, QObject* parent)
-    : QAbstractTableModel(parent), store_(store), rows_(static_cast<int>(store.events().size())) {
-  const auto follow = [this] {
-    const int now = static_cast<int>(store_.events().size());
-    if (now != rows_ + 1) {  // another run, or the oldest went
-      beginResetModel();
-      rows_ = now;
-      endResetModel();
-      return;
-    }
-    beginInsertRows({}, rows_, rows_);
-    rows_ = now;
-    endInsertRows();
-  };
-  connect(&store_, &DataStore::event_added, this, follow);
-  connect(&store_, &DataStore::run_began, this, follow);
+    : QAbstractTableModel(parent), store_(store), rows_(static_cast<int>(store.events_shown())) {
+  connect(&store_, &DataStore::event_added, this, [this] {
+    const bool oldest_went = rows_ == static_cast<int>(store_.events().size());
+    oldest_went&& rows_ == static_cast<int>(store_.events_shown()) ? reset() : refresh();
+  });
+  connect(&store_, &DataStore::run_began, this, &EventModel::reset);
+}
+
+void EventModel::reset() {
+  beginResetModel();
+  rows_ = static_cast<int>(store_.events_shown());
+  endResetModel();
+}
+
+void EventModel::refresh() {
+  const int now = static_cast<int>(store_.events_shown());
+  if (now < rows_) return reset();
+  if (now == rows_) return;
+  beginInsertRows({}, rows_, now - 1);
+  rows_ = now;
+  endInsertRows();
 }
 
 int EventModel::rowCount(const QModelIndex& parent) const {

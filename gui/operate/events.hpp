@@ -15,6 +15,8 @@ class EventModel : public QAbstractTableModel {
   enum Column { time, tick, kind, source, detail, columns };
 
   explicit EventModel(DataStore& store, QObject* parent = nullptr);
+  /// Playback: what lies behind the place where it stands is not shown.
+  void refresh();
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -23,6 +25,8 @@ class EventModel : public QAbstractTableModel {
                       int role = Qt::DisplayRole) const override;
 
  private:
+  void reset();
+
   DataStore& store_;
   int rows_ = 0;
 };

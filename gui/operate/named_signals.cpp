@@ -80,6 +80,9 @@ NamedSignals NamedSignals::of(const GraphJson& graph) {
         signals.fixtures.push_back({text(node, "name"), force, output(node, "depth")});
   }
   take_sites(graph, signals);
+  for (const GraphJson& wire : list(graph, "wires"))
+    if (!signals.device.empty() && text(wire, "to") == signals.device + ".hold")
+      signals.hold = text(wire, "from");
   return signals;
 }
 

@@ -19,6 +19,7 @@ struct NamedSignals {
   std::string wrench;        // at the tool that is asked for: "laparoscope.statics.wrench"
   std::string tip;           // position: "laparoscope.tool.tip.position"
   std::string applied;       // effort, the device's echo
+  std::string hold;          // of it what only bears the device's weight
   std::string scale;         // share of effort that the gate let pass
   std::string report_age;    // of the device
   std::string device_state;  // of a device that has states of its own

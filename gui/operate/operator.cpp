@@ -4,6 +4,12 @@
 #include <nlohmann/json.hpp>
 
 namespace trocar::gui {
+namespace {
+
+constexpr std::size_t mark_digits = 8;
+constexpr double old_after_s = 2.0;  // what a server tells of before we came is no answer to us
+
+}  // namespace
 
 Operator::Operator(const Sources& sources, QObject* parent)
     : QObject(parent),
@@ -16,6 +22,8 @@ Operator::Operator(const Sources& sources, QObject* parent)
     connect(sources_.live, &LiveFeed::graph_known, this,
             [this] { set_graph(sources_.live->graph()); });
     set_graph(sources_.live->graph());
+    connect(sources_.live, &LiveFeed::grew, this, [this] { last_rows_.start(); });
+    connect(&sources_.data, &DataStore::event_added, this, &Operator::hear_event);
   }
   if (sources_.link != nullptr)
     connect(sources_.link, &StreamClient::status, this, [this](const stream::Status& status) {
@@ -26,12 +34,35 @@ Operator::Operator(const Sources& sources, QObject* parent)
 
 void Operator::set_graph(const nlohmann::json& graph) {
   named_ = NamedSignals::of(graph);
+  stop_.set_signals(named_);
   Q_EMIT named_changed();
 }
 
+QString Operator::mark() const {
+  if (sources_.live == nullptr || sources_.live->state().script.empty()) return "";
+  const StreamState& state = sources_.live->state();
+  return QString::fromStdString(state.script + " " + state.sha256.substr(0, mark_digits));
+}
+
 void Operator::refresh() {
-  status_ = RunStatus::of(sources_, named_);
+  alarms_.refresh();
+  const double silent =
+      last_rows_.isValid() ? 1e-3 * static_cast<double>(last_rows_.elapsed()) : 0.0;
+  status_ =
+      RunStatus::of(sources_, named_, {.rows_silent_for = silent, .runtime_ended = runtime_ended_});
   if (status_.state == RunState::engaged || status_.state == RunState::engaging) stop_.forget();
+}
+
+/// What was asked is answered twice: at once that it was taken, and by the loop what came of it.
+void Operator::hear_event(const RunEvent& event) {
+  const double newest = sources_.data.newest();
+  const bool of_old = newest <= 0 || newest - event.time > old_after_s;
+  if (of_old || !event.kind.ends_with(" refused")) return;
+  const std::string why = !event.detail.empty()                 ? event.detail
+                          : event.kind == "acknowledge refused" ? "its cause is not gone yet"
+                                                                : "";
+  const std::string of = event.source.empty() ? "" : event.source + ": ";
+  Q_EMIT remark(QString::fromStdString(of + event.kind + (why.empty() ? "" : ": " + why)));
 }
 
 void Operator::request(const char* service) {

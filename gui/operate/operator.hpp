@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <string>
 
@@ -23,9 +24,14 @@ class Operator : public QObject {
   const Sources& sources() const { return sources_; }
   const NamedSignals& named() const { return named_; }
   void set_graph(const nlohmann::json& graph);
+  /// The runtime was a process of ours, and is gone (or is there again).
+  void set_runtime_ended(bool ended) { runtime_ended_ = ended; }
   /// As the newest rows say; made anew by refresh().
   const RunStatus& status() const { return status_; }
   void refresh();
+
+  /// Of the script that runs: its name, and of its text what tells one version from another.
+  QString mark() const;
 
   StopControl& stop_control() { return stop_; }
   AlarmModel& alarms() { return alarms_; }
@@ -41,6 +47,8 @@ class Operator : public QObject {
   void remark(const QString& text);
 
  private:
+  void hear_event(const RunEvent& event);
+
   Sources sources_;
   NamedSignals named_;
   RunStatus status_;
@@ -48,6 +56,8 @@ class Operator : public QObject {
   AlarmModel alarms_;
   ParameterModel parameters_;
   RecordingControl recording_;
+  QElapsedTimer last_rows_;
+  bool runtime_ended_ = false;
 };
 
 }  // namespace trocar::gui

@@ -42,12 +42,21 @@ ParameterView view_of(const nlohmann::json& json) {
 /// To a value and back.
 class ParameterEdit : public QUndoCommand {
  public:
-  ParameterEdit(ParameterModel& model, QString name, double before, double after)
+  ParameterEdit(ParameterModel& model, QString name, double before, double after, int gesture)
       : QUndoCommand(QString("%1 = %2").arg(name, shown(after))),
         model_(model),
         name_(std::move(name)),
         before_(before),
-        after_(after) {}
+        after_(after),
+        gesture_(gesture) {}
+  int id() const override { return gesture_ == 0 ? -1 : gesture_; }
+  bool mergeWith(const QUndoCommand* newer) override {
+    const auto& other = static_cast<const ParameterEdit&>(*newer);
+    if (other.name_ != name_) return false;
+    after_ = other.after_;
+    setText(other.text());
+    return true;
+  }
   void redo() override { model_.send(name_, after_); }
   void undo() override { model_.send(name_, before_); }
 
@@ -55,6 +64,7 @@ class ParameterEdit : public QUndoCommand {
   ParameterModel& model_;
   QString name_;
   double before_, after_;
+  int gesture_;
 };
 
 bool ParameterView::bounded() const {
@@ -121,15 +131,16 @@ bool ParameterModel::may_write() const {
          sources_.link->may_write();
 }
 
-QString ParameterModel::ask(int row, double wanted) {
+QString ParameterModel::ask(int row, double wanted, int gesture) {
   const ParameterView& view = parameters_[static_cast<std::size_t>(row)];
   if (!may_write()) return "this client only looks: the token is missing";
   if (!view.live || !view.is_number) return view.name + " cannot be changed while it runs";
   if (!(wanted >= view.min && wanted <= view.max))
     return QString("%1 = %2 %3 is outside of %4 %3")
         .arg(view.name, shown(wanted), view.unit, view.range_text());
-  if (wanted == view.value && view.edit != ParameterView::Edit::asked) return "";
-  history_.push(new ParameterEdit(*this, view.name, view.value, wanted));
+  const double before = view.edit == ParameterView::Edit::asked ? view.asked : view.value;
+  if (wanted == before) return "";
+  history_.push(new ParameterEdit(*this, view.name, before, wanted, gesture));
   return "";
 }
 
@@ -166,18 +177,26 @@ void ParameterModel::hear_event(const RunEvent& event) {
   ParameterView& view = parameters_[static_cast<std::size_t>(*row)];
   view.tick = event.tick;
   view.edit = event.kind == "edit" ? ParameterView::Edit::ramped : ParameterView::Edit::refused;
-  view.trouble = QString::fromStdString(event.detail);
+  const auto colon = event.detail.find(": ");
+  view.trouble =
+      colon == std::string::npos ? "" : QString::fromStdString(event.detail.substr(colon + 2));
   touch(*row);
 }
 
-/// The runtime names the parameter when it refuses one.
+/// What is refused names its parameter; where it does not, it is that which was asked alone.
 void ParameterModel::hear_status(const stream::Status& status) {
   if (status.level != stream::StatusLevel::error) return;
+  const QString why = QString::fromStdString(status.text);
+  std::vector<std::size_t> asked, named;
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
-    ParameterView& view = parameters_[i];
-    if (view.edit != ParameterView::Edit::asked) continue;
-    view.edit = ParameterView::Edit::refused;
-    view.trouble = QString::fromStdString(status.text);
+    if (parameters_[i].edit != ParameterView::Edit::asked) continue;
+    asked.push_back(i);
+    if (why.contains(parameters_[i].name)) named.push_back(i);
+  }
+  if (named.empty() && asked.size() == 1) named = asked;
+  for (const std::size_t i : named) {
+    parameters_[i].edit = ParameterView::Edit::refused;
+    parameters_[i].trouble = why;
     touch(static_cast<int>(i));
   }
 }

@@ -52,8 +52,9 @@ class ParameterModel : public QAbstractTableModel {
   bool may_write() const;
   QUndoStack& history() { return history_; }
 
-  /// Asks for a value in the parameter's unit. @return why not, or ""
-  QString ask(int row, double value);
+  /// Asks for a value in the parameter's unit. Edits of one gesture, as a slider that is drawn, are
+  /// undone together; 0 is a gesture of its own. @return why not, or ""
+  QString ask(int row, double value, int gesture = 0);
   QString reset(int row) { return ask(row, parameters_[static_cast<std::size_t>(row)].first); }
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -13,35 +13,56 @@ RecordingControl::RecordingControl(const Sources& sources, QObject* parent)
     connect(sources_.link, &StreamClient::status, this, &RecordingControl::hear_status);
 }
 
+bool RecordingControl::can_end() const {
+  return sources_.live != nullptr && !sources_.live->state().recording.file.empty();
+}
+
 bool RecordingControl::recording() const {
-  return sources_.live != nullptr &&
-         (!sources_.live->state().recording.file.empty() || !sources_.live->state().log.empty());
+  return can_end() || (sources_.live != nullptr && sources_.live->state().running &&
+                       !sources_.live->state().log.empty());
 }
 
 QString RecordingControl::trial() const {
-  if (sources_.live == nullptr) return "";
-  const StreamState& state = sources_.live->state();
-  return QString::fromStdString(state.recording.file.empty() ? state.log : state.recording.file);
+  if (!trial_.empty()) return QString::fromStdString(trial_);
+  return sources_.live == nullptr ? "" : QString::fromStdString(sources_.live->state().log);
+}
+
+std::uint64_t RecordingControl::rows_seen() const {
+  std::uint64_t rows = 0;
+  for (const auto& track : sources_.data.tracks()) rows += track->end();
+  return rows;
+}
+
+std::int64_t RecordingControl::lost() const {
+  const std::uint64_t seen = rows_seen();
+  const bool counts = !trouble_.isEmpty() && !trial_.empty() && seen > seen_at_good_;
+  return missed_ + (counts ? static_cast<std::int64_t>(seen - seen_at_good_) : 0);
 }
 
 QString RecordingControl::text() const {
-  if (!trouble_.isEmpty()) return "RECORDING FAILED: " + trouble_;
+  if (!trouble_.isEmpty()) return "RECORDING FAILED";
   if (!recording()) return incomplete_ ? "not recording; trial INCOMPLETE" : "not recording";
-  const StreamState& state = sources_.live->state();
-  const auto seconds = static_cast<int>(state.time - began_);
+  const auto seconds = static_cast<int>(sources_.live->state().time - began_);
   return QString("REC %1:%2 lost %3%4")
       .arg(seconds / 60, 2, 10, QChar('0'))
       .arg(seconds % 60, 2, 10, QChar('0'))
-      .arg(state.recording.missed)
+      .arg(lost())
       .arg(incomplete_ ? " INCOMPLETE" : "");
+}
+
+QString RecordingControl::failure() const {
+  if (trouble_.isEmpty()) return "";
+  QString text = "RECORDING FAILED: " + trouble_;
+  if (!trial_.empty())
+    text += QString("; %1 rows lost, and %2 is INCOMPLETE").arg(lost()).arg(trial());
+  return text + "; forces go on";
 }
 
 void RecordingControl::start(const QString& file) {
   if (sources_.link == nullptr) return;
+  trouble_.clear();
   nlohmann::json arguments = {{"on", true}};
   if (!file.isEmpty()) arguments["file"] = file.toStdString();
-  trouble_.clear();
-  incomplete_ = false;
   sources_.link->call("record", arguments,
                       [this](const nlohmann::json&, const std::string& trouble) {
                         if (!trouble.empty()) fail(QString::fromStdString(trouble));
@@ -61,12 +82,18 @@ void RecordingControl::hear() {
   if (state.recording.file != file_) {
     file_ = state.recording.file;
     began_ = file_.empty() ? 0.0 : state.time;
+    if (!file_.empty()) {  // another trial
+      trial_ = file_;
+      trouble_.clear();
+      incomplete_ = false;
+    }
+  }
+  if (!file_.empty()) {
+    missed_ = state.recording.missed;
+    seen_at_good_ = rows_seen();
   }
   if (state.recording.missed > 0) incomplete_ = true;
-  if (!state.trouble.empty())
-    fail(QString("%1; %2 rows lost")
-             .arg(QString::fromStdString(state.trouble))
-             .arg(state.recording.missed));
+  if (!state.trouble.empty()) fail(QString::fromStdString(state.trouble));
   Q_EMIT changed();
 }
 

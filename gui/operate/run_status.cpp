@@ -8,7 +8,8 @@
 namespace trocar::gui {
 namespace {
 
-constexpr double window_s = 1.0;  // that the loop's health is judged by
+constexpr double window_s = 1.0;   // that the loop's health is judged by
+constexpr double silence_s = 0.5;  // after which nobody knows
 
 double value(const DataStore& data, const std::string& name, double otherwise) {
   if (name.empty()) return otherwise;
@@ -84,15 +85,15 @@ std::string gate_word(const DataStore& data, const std::string& device) {
   return "";
 }
 
-RunState state_of(bool rendering, const std::string& word) {
-  if (word == "tripped" && !rendering) return RunState::stopped;
+RunState state_of(bool rendering, bool fault, const std::string& word) {
+  if (!rendering && (word == "tripped" || (word.empty() && fault))) return RunState::stopped;
   if (word == "cold") return RunState::cold;
   if (word == "holding" && !rendering) return RunState::holding;
   if (word == "engaging") return RunState::engaging;
   return rendering ? RunState::engaged : RunState::holding;
 }
 
-/// A device with states of its own has the last word.
+/// A device with states of its own has the last word: what it says of itself is the echo.
 void ask_device(const DataStore& data, const NamedSignals& signals, RunStatus& status) {
   if (!signals.dead_man.empty()) status.hand = value(data, signals.dead_man, 0.0) > 0.5;
   const double own = value(data, signals.device_state, -1.0);
@@ -100,11 +101,28 @@ void ask_device(const DataStore& data, const NamedSignals& signals, RunStatus& s
   if (own < 0 || at >= signals.device_states.size()) return;
   const std::string& word = signals.device_states[at];
   status.state_note = "device: " + word;
-  if (word == "engaged")
-    status.state = std::max(status.state, RunState::engaging);
-  else if (status.state == RunState::engaged)
+  if (word == "engaged") {
+    if (status.state != RunState::engaging) status.state = RunState::engaged;
+  } else if (status.state == RunState::engaged) {
     status.state = RunState::engaging;
+  }
   if (word == "unhomed" || word == "homing") status.state = RunState::cold;
+}
+
+/// Whether what the rows say still holds.
+void judge_link(const Sources& sources, const RunStatus::Heard& heard, RunStatus& status) {
+  const bool link_lost = sources.link != nullptr && sources.link->state() != LinkState::open;
+  const bool goes_on = sources.live != nullptr && sources.live->state().running;
+  if (heard.runtime_ended || (sources.live != nullptr && !link_lost && !goes_on)) {
+    status.state = RunState::ended;
+    status.state_note.clear();
+  } else if (link_lost) {
+    status.state = RunState::unknown;
+    status.state_note = "the device may still be engaged";
+  } else if (goes_on && heard.rows_silent_for > silence_s) {
+    status.state = RunState::unknown;
+    status.state_note = "no rows: the device may still be engaged";
+  }
 }
 
 }  // namespace
@@ -145,7 +163,7 @@ const char* to_string(RunState state) {
   return "?";
 }
 
-RunStatus RunStatus::of(const Sources& sources, const NamedSignals& signals) {
+RunStatus RunStatus::of(const Sources& sources, const NamedSignals& signals, const Heard& heard) {
   RunStatus status;
   const Track* track = track_of(sources.data, signals);
   status.mode = sources.link == nullptr ? Mode::replay
@@ -158,7 +176,7 @@ RunStatus RunStatus::of(const Sources& sources, const NamedSignals& signals) {
     judge_loop(*track, status);
     const Flags flags = flags_of(*track);
     status.fault = flags.fault;
-    status.state = state_of(flags.rendering, gate_word(sources.data, signals.device));
+    status.state = state_of(flags.rendering, flags.fault, gate_word(sources.data, signals.device));
     ask_device(sources.data, signals, status);
     status.scale = value(sources.data, signals.scale, 1.0);
     status.has_force = !signals.wrench.empty();
@@ -167,13 +185,7 @@ RunStatus RunStatus::of(const Sources& sources, const NamedSignals& signals) {
     status.has_report_age = !signals.report_age.empty();
     status.report_age = value(sources.data, signals.report_age, 0.0);
   }
-  if (sources.link != nullptr && sources.link->state() != LinkState::open && track != nullptr) {
-    status.state = RunState::unknown;
-    status.state_note = "the device may still be engaged";
-  } else if (sources.live != nullptr && !sources.live->state().running && track != nullptr) {
-    status.state = RunState::ended;
-    status.state_note.clear();
-  }
+  if (track != nullptr && !track->empty()) judge_link(sources, heard, status);
   return status;
 }
 

@@ -41,8 +41,19 @@ struct RunStatus {
   std::uint64_t missed = 0;  // slots that the loop skipped, since rows are seen
   bool fault = false;        // is latched
 
+  /// What is shown is what was, not what is.
+  bool stale() const { return state == RunState::unknown || state == RunState::ended; }
+
+  /// What rows cannot tell.
+  struct Heard {
+    double rows_silent_for = 0.0;  // [s] since the newest row came
+    bool runtime_ended = false;    // a process of our own, which is gone
+  };
   /// @param signals of the graph, as far as it is known
-  static RunStatus of(const Sources& sources, const NamedSignals& signals);
+  static RunStatus of(const Sources& sources, const NamedSignals& signals, const Heard& heard);
+  static RunStatus of(const Sources& sources, const NamedSignals& signals) {
+    return of(sources, signals, Heard());
+  }
 };
 
 }  // namespace trocar::gui

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "gui/operate/rendering.hpp"
+
 namespace trocar::gui {
 namespace {
 
@@ -29,30 +31,28 @@ void StopControl::stop() {
   check_.ask(now_s());
   set_state(State::stopping);
   look_.start(look_interval_ms);
+  ask();
+}
+
+void StopControl::ask() {
+  lost_ = false;
   sources_.link->call("stop", nlohmann::json::object(),
                       [this](const nlohmann::json&, const std::string& trouble) {
-                        if (trouble.empty()) check_.accepted(newest_tick());
+                        lost_ = !trouble.empty();
+                        if (!lost_) check_.accepted(newest_tick());
                       });
 }
 
 void StopControl::forget() {
-  if (state_ == State::stopping) return;
+  if (state_ != State::confirmed) return;
   check_ = {};
   set_state(State::idle);
 }
 
 void StopControl::look() {
   if (state_ != State::stopping && state_ != State::not_confirmed) return;
-  bool rendering = false;
-  std::int64_t tick = -1;
-  for (const auto& track : sources_.data.tracks()) {
-    const auto flags = track->find("flags");
-    if (track->empty() || !flags) continue;
-    const std::uint64_t row = track->end() - 1;
-    tick = std::max(tick, track->tick(row));
-    rendering = rendering || (static_cast<int>(track->column(*flags)[row]) & 2) != 0;
-  }
-  check_.saw(now_s(), tick, rendering);
+  if (lost_ && sources_.link->offers("stop")) ask();
+  check_.saw(now_s(), newest_tick(), renders(sources_.data, signals_));
   if (sources_.live != nullptr && sources_.link->state() == LinkState::open &&
       sources_.live->state().run > 0 && !sources_.live->state().running)
     check_.saw_end(now_s());

@@ -8,12 +8,13 @@
 #include <string>
 
 #include "gui/link/stop_check.hpp"
+#include "gui/operate/named_signals.hpp"
 #include "gui/window/page.hpp"
 
 namespace trocar::gui {
 
 /// The software stop: asks the runtime to end the rendering, and says whether rows that came after
-/// confirm it. Asking again asks anew.
+/// confirm it. Asking again asks anew; what did not get through is asked again once it can.
 class StopControl : public QObject {
   Q_OBJECT
 
@@ -22,12 +23,15 @@ class StopControl : public QObject {
 
   explicit StopControl(const Sources& sources, QObject* parent = nullptr);
 
+  /// By what a device's rows are judged.
+  void set_signals(const NamedSignals& signals) { signals_ = signals; }
+
   void stop();
   State state() const { return state_; }
   double confirmed_after() const { return check_.confirmed_after().value_or(0.0); }  // [s]
   /// "STOPPED, confirmed after 8 ms"; "" while nothing was asked.
   std::string text() const { return check_.text(now_s()); }
-  /// Nothing is said of a stop any more: it renders again.
+  /// Nothing is said of a confirmed stop any more: it renders again.
   void forget();
 
  Q_SIGNALS:
@@ -36,13 +40,16 @@ class StopControl : public QObject {
   void not_confirmed();
 
  private:
+  void ask();
   void look();
   void set_state(State state);
   double now_s() const { return 1e-9 * static_cast<double>(clock_.nsecsElapsed()); }
   std::int64_t newest_tick() const;
 
   Sources sources_;
+  NamedSignals signals_;
   StopCheck check_;
+  bool lost_ = false;  // what was asked did not get through
   State state_ = State::idle;
   QElapsedTimer clock_;
   QTimer look_;

@@ -98,13 +98,6 @@ void OperatePage::choose_parameters() {
   }
 }
 
-void OperatePage::toggle_freeze() {
-  const auto at = frozen() ? std::nullopt : std::optional<double>(operator_.sources().data.now());
-  force_->freeze(at);
-  tip_->freeze(at);
-  over_depth_->freeze(at);
-}
-
 void OperatePage::refresh() {
   meter_->show_status(operator_.status(), theme_);
   force_->refresh();

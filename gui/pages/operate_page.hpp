@@ -23,9 +23,6 @@ class OperatePage : public Page {
   QKeySequence shortcut() const override { return QKeySequence("Ctrl+1"); }
   void refresh() override;
   void set_theme(const Theme& theme) override;
-  /// Stops or resumes the pictures.
-  void toggle_freeze();
-  bool frozen() const { return force_->frozen(); }
   /// Beside the force: the device's picture.
   void set_picture(QWidget* picture);
 

@@ -2,10 +2,14 @@
 #include "gui/window/loop_strip.hpp"
 
 namespace trocar::gui {
+namespace {
 
-LoopStrip::LoopStrip(QWidget* parent) : QLabel(parent) {
-  setObjectName("loop");
-  setAccessibleName("health of the loop");
+constexpr double narrow_margin = 0.2;  // of the period
+
+}  // namespace
+
+LoopStrip::LoopStrip(QWidget* parent) : Readout("loop", "health of the loop", parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
 
 QString LoopStrip::text(const RunStatus& status) {
@@ -16,15 +20,18 @@ QString LoopStrip::text(const RunStatus& status) {
                      .arg(100.0 * status.margin, 0, 'f', 0)
                      .arg(status.missed);
   if (status.has_report_age)
-    text += QString("   report age %1 ms").arg(1e3 * status.report_age, 0, 'f', 2);
-  return text + QString("   time %1 s   tick %2").arg(status.time, 0, 'f', 2).arg(status.tick);
+    text += QString("   report age %1 ms").arg(1e3 * status.report_age, 0, 'f', 1);
+  text += QString("   time %1 s   tick %2").arg(status.time, 0, 'f', 1).arg(status.tick);
+  if (status.state == RunState::unknown) text += "   OLD";
+  if (status.margin < narrow_margin) text += "   NARROW";
+  return text;
 }
 
 void LoopStrip::refresh(const RunStatus& status, const Theme& theme) {
-  setText(text(status));
-  const bool stale = status.state == RunState::unknown || status.state == RunState::ended;
-  const QColor colour = stale ? theme.muted : status.margin < 0.2 ? theme.warning : theme.text;
-  setStyleSheet(QString("color:%1; padding:3px 8px; font-family:monospace;").arg(colour.name()));
+  show_text(text(status));
+  paint_plain(status.stale()                  ? theme.muted
+              : status.margin < narrow_margin ? theme.warning
+                                              : theme.text);
 }
 
 }  // namespace trocar::gui

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QLabel>
-
 #include "gui/operate/run_status.hpp"
+#include "gui/window/readout.hpp"
 
 namespace trocar::gui {
 
 /// The health of the loop and of the device's reports, always in sight at the bottom.
-class LoopStrip : public QLabel {
+class LoopStrip : public Readout {
   Q_OBJECT
 
  public:

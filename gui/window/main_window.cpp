@@ -8,6 +8,11 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include "gui/pages/alarms_page.hpp"
+#include "gui/plots/time_plot.hpp"
+#include "gui/plots/xy_plot.hpp"
+#include "gui/window/state_look.hpp"
+
 namespace trocar::gui {
 namespace {
 
@@ -17,50 +22,73 @@ constexpr int border = 4;  // [pixels]
 }  // namespace
 
 MainWindow::MainWindow(Operator& operators, const QString& subject)
-    : operator_(operators), subject_(subject) {
+    : operator_(operators),
+      subject_(subject),
+      state_(new StateStrip(operators, this)),
+      tabs_(new QTabBar(this)),
+      stack_(new QStackedWidget(this)),
+      veil_(new StaleVeil(stack_)),
+      mark_label_(new Readout("mark", "script and trial", this)),
+      frozen_(new Readout("frozen", "pictures", this)),
+      loop_(new LoopStrip(this)) {
+  build();
+  add_keys();
+  qApp->installEventFilter(this);
+  connect(tabs_, &QTabBar::currentChanged, stack_, &QStackedWidget::setCurrentIndex);
+  connect(&operator_.sources().data, &DataStore::run_began, this, [this] {
+    frozen_at_.reset();
+    freeze_plots();
+  });
+  connect(&timer_, &QTimer::timeout, this, &MainWindow::refresh);
+  timer_.start(frame_interval_ms);
+  set_theme(theme_);
+}
+
+void MainWindow::build() {
   auto* middle = new QWidget(this);
   setCentralWidget(middle);
   auto* layout = new QVBoxLayout(middle);
   layout->setContentsMargins(border, border, border, border);
   layout->setSpacing(0);
-  state_ = new StateStrip(operators, this);
-  tabs_ = new QTabBar(this);
   tabs_->setObjectName("pages");
   tabs_->setAccessibleName("pages");
   tabs_->setExpanding(false);
   tabs_->setDocumentMode(true);
-  stack_ = new QStackedWidget(this);
-  loop_ = new LoopStrip(this);
-  mark_label_ = new QLabel(this);
-  mark_label_->setObjectName("mark");
-  mark_label_->setAccessibleName("script and trial");
+  tabs_->setDrawBase(false);
   layout->addWidget(state_);
   layout->addWidget(tabs_);
   layout->addWidget(stack_, 1);
   auto* bottom = new QHBoxLayout;
+  bottom->setSpacing(0);
   bottom->addWidget(loop_, 1);
+  bottom->addWidget(frozen_);
   bottom->addWidget(mark_label_);
   layout->addLayout(bottom);
   resize(1280, 720);
-  connect(tabs_, &QTabBar::currentChanged, stack_, &QStackedWidget::setCurrentIndex);
+}
 
-  add_key(QKeySequence("F1"), "this sheet", [this] { show_shortcuts(); });
-  add_key(QKeySequence("Ctrl+T"), "light or dark",
-          [this] { set_theme(theme_.dark ? Theme::light() : Theme::dark_one()); });
-  const auto press = [this](const char* name) {
-    return [this, name] { state_->findChild<QPushButton*>(name)->click(); };
-  };
-  add_key(QKeySequence("Ctrl+E"), "engage", press("engage"));
-  add_key(QKeySequence("Ctrl+R"), "record, or end the recording", press("record"));
-  add_key(QKeySequence("Ctrl+K"), "acknowledge faults", press("acknowledge"));
+void MainWindow::add_keys() {
+  keys_.emplace_back("F12", "STOP: ends the rendering, from everywhere");
+  const auto click = [this](QPushButton& button) { return [&button] { button.click(); }; };
+  add_key(QKeySequence("Ctrl+E"), "engage", click(state_->engage_button()));
+  add_key(QKeySequence("Ctrl+R"), "record, or end the recording", click(state_->record_button()));
+  add_key(QKeySequence("Ctrl+K"), "acknowledge faults", click(state_->acknowledge_button()));
+  add_key(QKeySequence("Ctrl+M"), "write a remark into the log", [this] {
+    for (std::size_t i = 0; i < pages_.size(); ++i)
+      if (auto* alarms = dynamic_cast<AlarmsPage*>(pages_[i])) {
+        show_page(static_cast<int>(i));
+        alarms->begin_remark();
+      }
+  });
+  add_key(QKeySequence("F8"), "freeze the plots; the run and its recording go on",
+          [this] { toggle_freeze(); });
   add_key(QKeySequence::Undo, "undo the last edit of a parameter",
           [this] { operator_.parameters().history().undo(); });
   add_key(QKeySequence::Redo, "and redo it", [this] { operator_.parameters().history().redo(); });
-  keys_.insert(keys_.begin(), {"F12", "STOP: ends the rendering, from everywhere"});
-  qApp->installEventFilter(this);
-  connect(&timer_, &QTimer::timeout, this, &MainWindow::refresh);
-  timer_.start(frame_interval_ms);
-  set_theme(theme_);
+  add_key(QKeySequence("Ctrl+T"), "light or dark",
+          [this] { set_theme(theme_.dark ? Theme::light() : Theme::dark_one()); });
+  add_key(QKeySequence("F1"), "this sheet", [this] { show_shortcuts(); });
+  add_key(QKeySequence("?"), "this sheet, where nothing is typed", [this] { show_shortcuts(); });
 }
 
 void MainWindow::add_key(const QKeySequence& key, const QString& what,
@@ -78,6 +106,7 @@ void MainWindow::add_page(Page* page) {
   pages_.push_back(page);
   page->set_theme(theme_);
   add_key(page->shortcut(), page->title(), [this, number] { show_page(number); });
+  veil_->raise();
 }
 
 void MainWindow::add_bar(QWidget* bar) {
@@ -97,46 +126,59 @@ void MainWindow::set_theme(const Theme& theme) {
   theme_ = theme;
   qApp->setPalette(theme.palette());
   state_->set_theme(theme);
-  mark_label_->setStyleSheet(QString("color:%1; padding:3px 8px;").arg(theme.muted.name()));
+  veil_->set_theme(theme);
+  mark_label_->paint_plain(theme_.muted);
+  frozen_->paint_sign(theme_.warning, theme_.surface);
   for (Page* page : pages_) page->set_theme(theme);
   Q_EMIT theme_changed(theme);
   refresh();
-}
-
-void MainWindow::set_mark(const QString& mark) {
-  mark_ = mark;
 }
 
 void MainWindow::refresh() {
   operator_.refresh();
   state_->refresh();
   loop_->refresh(operator_.status(), theme_);
-  const QString trial = operator_.recording().trial();
-  const QString mark =
-      mark_ + (trial.isEmpty() ? "" : (mark_.isEmpty() ? "trial " : "   trial ") + trial);
-  if (mark != mark_label_->text()) mark_label_->setText(mark);
-  const QString title =
-      QString("%1 – %2 – Trocar").arg(QString(to_string(operator_.status().mode)), subject_);
-  if (title != windowTitle()) {
-    setWindowTitle(title);
-    update();  // the border
-  }
+  veil_->setVisible(operator_.status().state == RunState::unknown);
+  frozen_->setVisible(frozen());
+  if (frozen())
+    frozen_->show_text(QString("FROZEN, behind %1 s; the recording goes on")
+                           .arg(operator_.sources().data.now() - *frozen_at_, 0, 'f', 1));
+  refresh_marks();
   if (Page* shown = page(); shown != nullptr && isVisible()) shown->refresh();
+}
+
+void MainWindow::refresh_marks() {
+  const QString trial = operator_.recording().trial();
+  const QString script = mark_.isEmpty() ? operator_.mark() : mark_;
+  QStringList marks;
+  if (!script.isEmpty()) marks << script;
+  if (!trial.isEmpty())
+    marks << "trial " + trial + (operator_.recording().incomplete() ? " INCOMPLETE" : "");
+  mark_label_->show_text(marks.join("   "));
+  const QString title = QString("%1 – %2 – Trocar")
+                            .arg(QString(to_string(operator_.status().mode)),
+                                 marks.isEmpty() ? subject_ : marks.join(" – "));
+  if (title == windowTitle()) return;
+  setWindowTitle(title);
+  update();  // the border
+}
+
+void MainWindow::toggle_freeze() {
+  frozen_at_ = frozen() ? std::nullopt : std::optional<double>(operator_.sources().data.now());
+  freeze_plots();
+  refresh();
+}
+
+void MainWindow::freeze_plots() {
+  for (auto* plot : findChildren<TimePlot*>()) plot->freeze(frozen_at_);
+  for (auto* plot : findChildren<XyPlot*>()) plot->freeze(frozen_at_);
 }
 
 void MainWindow::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), theme_.window);
   const Mode mode = operator_.status().mode;
-  const QColor colour = mode == Mode::live        ? theme_.live
-                        : mode == Mode::simulated ? theme_.simulated
-                        : mode == Mode::replay    ? theme_.replay
-                                                  : theme_.muted;
-  // Not by colour alone: each has a pattern of its own.
-  painter.setPen(QPen(colour, border,
-                      mode == Mode::live        ? Qt::SolidLine
-                      : mode == Mode::simulated ? Qt::DashLine
-                                                : Qt::DotLine));
+  painter.setPen(QPen(colour_of(mode, theme_), border, border_of(mode)));
   painter.drawRect(rect().adjusted(border / 2, border / 2, -border / 2, -border / 2));
 }
 
@@ -154,13 +196,14 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void MainWindow::show_shortcuts() {
-  QString text = "<table cellspacing='6'>";
+  QString text = "<table cellspacing='4'>";
   for (const auto& one : keys_)
     text += QString("<tr><td><b>%1</b></td><td>%2</td></tr>")
                 .arg(one.first.toHtmlEscaped(), one.second.toHtmlEscaped());
   auto* sheet =
       new QMessageBox(QMessageBox::NoIcon, "Keys", text + "</table>", QMessageBox::Close, this);
   sheet->setObjectName("shortcut_sheet");
+  sheet->setAccessibleName("keys");
   sheet->setAttribute(Qt::WA_DeleteOnClose);
   sheet->open();
 }

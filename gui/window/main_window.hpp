@@ -5,11 +5,15 @@
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTimer>
+#include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "gui/operate/operator.hpp"
 #include "gui/window/loop_strip.hpp"
 #include "gui/window/page.hpp"
+#include "gui/window/stale_veil.hpp"
 #include "gui/window/state_strip.hpp"
 
 namespace trocar::gui {
@@ -31,12 +35,19 @@ class MainWindow : public QMainWindow {
   const std::vector<Page*>& pages() const { return pages_; }
   void set_theme(const Theme& theme);
   const Theme& theme() const { return theme_; }
-  /// The script's mark and the trial, which stand in every picture.
-  void set_mark(const QString& mark);
+  /// Of a log: the script's mark, which stands in every picture. A run tells its own.
+  void set_mark(const QString& mark) { mark_ = mark; }
+  /// A key of the window's, with what it does, for the sheet.
+  void add_key(const QKeySequence& key, const QString& what, const std::function<void()>& act);
+  /// Each key with what it does.
+  const std::vector<std::pair<QString, QString>>& keys() const { return keys_; }
 
   /// Everything anew, now; a timer does it 30 times a second.
   void refresh();
   void show_shortcuts();
+  /// Stops all plots, or lets them follow again. The run and its recording go on.
+  void toggle_freeze();
+  bool frozen() const { return frozen_at_.has_value(); }
   StateStrip& state_strip() { return *state_; }
 
  Q_SIGNALS:
@@ -48,17 +59,22 @@ class MainWindow : public QMainWindow {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void add_key(const QKeySequence& key, const QString& what, const std::function<void()>& act);
+  void build();
+  void add_keys();
+  void freeze_plots();
+  void refresh_marks();
 
   Operator& operator_;
   QString subject_, mark_;
   StateStrip* state_;
   QTabBar* tabs_;
   QStackedWidget* stack_;
-  QLabel* mark_label_;
+  StaleVeil* veil_;
+  Readout *mark_label_, *frozen_;
   LoopStrip* loop_;
   std::vector<Page*> pages_;
-  std::vector<std::pair<QString, QString>> keys_;  // key and what it does
+  std::vector<std::pair<QString, QString>> keys_;
+  std::optional<double> frozen_at_;  // [s]
   QTimer timer_;
   Theme theme_ = Theme::light();
 };

@@ -5,182 +5,176 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "gui/window/state_look.hpp"
+
 namespace trocar::gui {
 namespace {
 
 constexpr int remark_shown_ms = 8000;
+constexpr QSize stop_size(330, 62);  // of all that it ever says: it must not move
 
-/// A shape beside each word, for those who do not see the colour.
-const char* shape(RunState state) {
-  switch (state) {
-    case RunState::unknown:
-      return "?";
-    case RunState::engaged:
-      return "▲";
-    case RunState::engaging:
-      return "△";
-    case RunState::stopped:
-      return "■";
-    case RunState::holding:
-      return "●";
-    default:
-      return "○";
-  }
+}  // namespace
+
+StateStrip::StateStrip(Operator& operators, QWidget* parent)
+    : QWidget(parent),
+      operator_(operators),
+      mode_(new Readout("mode", "what is looked at", this)),
+      state_(new Readout("state", "state of the device", this)),
+      hand_(new Readout("hand", "dead-man switch", this)),
+      recording_(new Readout("recording", "recording", this)),
+      link_(new Readout("link", "link to the runtime", this)),
+      fault_(new Readout("fault", "first fault", this)),
+      remark_(new Readout("remark", "what the runtime answered", this)),
+      banner_(new Readout("banner", "notice", this)) {
+  build();
+  connect(stop_, &QPushButton::clicked, &operator_.stop_control(), &StopControl::stop);
+  connect(&operator_.stop_control(), &StopControl::changed, this, &StateStrip::show_stop);
+  connect(acknowledge_, &QPushButton::clicked, this, [this] { operator_.request("acknowledge"); });
+  connect(engage_, &QPushButton::clicked, this, [this] { operator_.request("engage"); });
+  connect(record_, &QPushButton::clicked, this, &StateStrip::toggle_recording);
+  connect(&operator_.alarms(), &AlarmModel::changed, this, &StateStrip::show_fault);
+  connect(&operator_, &Operator::remark, this, &StateStrip::say);
+  set_theme(theme_);
 }
 
-QColor colour(RunState state, const Theme& theme) {
-  switch (state) {
-    case RunState::engaged:
-    case RunState::engaging:
-      return theme.ok;
-    case RunState::stopped:
-    case RunState::unknown:
-      return theme.danger;
-    case RunState::holding:
-      return theme.accent;
-    default:
-      return theme.muted;
-  }
-}
-
-QPushButton* button(const char* name, const QString& text, const QString& help, QWidget* parent) {
-  auto* made = new QPushButton(text, parent);
+QPushButton* StateStrip::button(const char* name, const QString& text, const QString& help) {
+  auto* made = new QPushButton(text, this);
   made->setObjectName(name);
   made->setAccessibleName(help);
   made->setToolTip(help);
   return made;
 }
 
-}  // namespace
+void StateStrip::build() {
+  engage_ = button("engage", "Engage  Ctrl+E", "Ask the runtime to engage");
+  record_ = button("record", "Record  Ctrl+R", "Begin or end a recording");
+  acknowledge_ =
+      button("acknowledge", "Acknowledge  Ctrl+K", "Acknowledge the faults whose cause is gone");
+  stop_ = button("stop", "", "Software stop: ends the rendering");
+  stop_->setFixedSize(stop_size);
+  stop_->setFocusPolicy(Qt::NoFocus);  // a click must not take it from where somebody types
 
-StateStrip::StateStrip(Operator& operators, QWidget* parent)
-    : QWidget(parent), operator_(operators) {
-  auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(6, 4, 6, 4);
-  rows->setSpacing(4);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(6, 4, 6, 2);
+  all->setSpacing(4);
   auto* top = new QHBoxLayout;
-  top->setSpacing(8);
-  rows->addLayout(top);
-  mode_ = label("mode", "what is looked at");
-  state_ = label("state", "state of the device");
-  hand_ = label("hand", "hand on the device");
-  recording_ = label("recording", "recording");
-  link_ = label("link", "link to the runtime");
-  engage_ = button("engage", "Engage  Ctrl+E", "Ask the runtime to engage", this);
-  record_ = button("record", "Record  Ctrl+R", "Begin or end a recording", this);
-  stop_ = button("stop", "STOP  F12", "Software stop: ends the rendering", this);
-  stop_->setMinimumSize(240, 44);
-  // A click must not take the focus from where somebody types.
-  stop_->setFocusPolicy(Qt::NoFocus);
-  for (QWidget* each :
-       std::initializer_list<QWidget*>{mode_, state_, hand_, recording_, record_, engage_, link_})
-    top->addWidget(each);
-  top->addStretch(1);
-  top->addWidget(stop_);
-
-  auto* bottom = new QHBoxLayout;
-  rows->addLayout(bottom);
-  fault_ = label("fault", "first fault");
-  remark_ = label("remark", "what the runtime answered");
-  acknowledge_ = button("acknowledge", "Acknowledge  Ctrl+K",
-                        "Acknowledge the faults whose cause is gone", this);
-  bottom->addWidget(fault_, 1);
-  bottom->addWidget(remark_, 1);
-  bottom->addWidget(acknowledge_);
-
-  connect(stop_, &QPushButton::clicked, &operator_.stop_control(), &StopControl::stop);
-  connect(&operator_.stop_control(), &StopControl::changed, this, &StateStrip::show_stop);
-  connect(acknowledge_, &QPushButton::clicked, this, [this] { operator_.request("acknowledge"); });
-  connect(engage_, &QPushButton::clicked, this, [this] { operator_.request("engage"); });
-  connect(record_, &QPushButton::clicked, this, [this] {
-    RecordingControl& recording = operator_.recording();
-    if (operator_.sources().live != nullptr &&
-        !operator_.sources().live->state().recording.file.empty())
-      recording.stop();
-    else
-      recording.start();
-  });
-  connect(&operator_.alarms(), &AlarmModel::changed, this, &StateStrip::show_fault);
-  connect(&operator_, &Operator::remark, this, &StateStrip::say);
-  set_theme(theme_);
+  all->addLayout(top);
+  auto* rows = new QVBoxLayout;
+  top->addLayout(rows, 1);
+  top->addWidget(stop_, 0, Qt::AlignTop);
+  auto* first = new QHBoxLayout;
+  auto* second = new QHBoxLayout;
+  rows->addLayout(first);
+  rows->addLayout(second);
+  for (Readout* each : {mode_, state_, hand_, recording_, link_}) first->addWidget(each);
+  first->addStretch(1);
+  second->addWidget(fault_, 3);
+  second->addWidget(remark_, 2);
+  for (QPushButton* each : {acknowledge_, engage_, record_}) second->addWidget(each);
+  all->addWidget(banner_);
+  for (Readout* each : {fault_, remark_, banner_})
+    each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
 
-QLabel* StateStrip::label(const char* name, const char* accessible) {
-  auto* made = new QLabel(this);
-  made->setObjectName(name);
-  made->setAccessibleName(accessible);
-  return made;
-}
-
-void StateStrip::paint(QLabel& label, const QColor& back, const QColor& text) {
-  label.setStyleSheet(QString("background:%1; color:%2; padding:4px 10px; font-weight:bold;"
-                              "font-size:15px; border-radius:3px;")
-                          .arg(back.name(), text.name()));
+void StateStrip::toggle_recording() {
+  RecordingControl& recording = operator_.recording();
+  recording.can_end() ? recording.stop() : recording.start();
 }
 
 void StateStrip::set_theme(const Theme& theme) {
   theme_ = theme;
+  remark_->paint_plain(theme_.warning);
   show_stop();
-  show_fault();
   refresh();
 }
 
 void StateStrip::refresh() {
+  show_state();
+  show_link();
+  show_recording();
+  show_fault();
+}
+
+void StateStrip::show_state() {
   const RunStatus& status = operator_.status();
-  const QColor mode = status.mode == Mode::live        ? theme_.live
-                      : status.mode == Mode::simulated ? theme_.simulated
-                      : status.mode == Mode::replay    ? theme_.replay
-                                                       : theme_.muted;
-  mode_->setText(to_string(status.mode));
-  paint(*mode_, mode, theme_.surface);
-  QString words = QString("%1 %2").arg(shape(status.state), to_string(status.state));
+  mode_->show_text(to_string(status.mode));
+  mode_->paint_sign(colour_of(status.mode, theme_), theme_.surface);
+  QString words = QString("%1 %2").arg(shape_of(status.state), to_string(status.state));
   if (!status.state_note.empty()) words += ": " + QString::fromStdString(status.state_note);
-  state_->setText(words);
-  paint(*state_, colour(status.state, theme_), theme_.surface);
-  hand_->setText(status.hand ? (*status.hand ? "hand: on" : "hand: OFF") : "");
+  state_->show_text(words);
+  state_->paint_sign(colour_of(status.state, theme_), theme_.surface);
   hand_->setVisible(status.hand.has_value());
-  const RecordingControl& recording = operator_.recording();
-  recording_->setText(recording.text());
-  const bool failed = !recording.trouble().isEmpty();
-  paint(*recording_, failed ? theme_.danger : theme_.surface,
-        failed ? theme_.on_danger : theme_.text);
+  if (!status.hand) return;
+  hand_->show_text(status.stale() ? "hand: ?" : *status.hand ? "hand: on" : "hand: OFF");
+  hand_->paint_plain(status.stale() ? theme_.muted : theme_.text);
+}
+
+void StateStrip::show_link() {
   const StreamClient* link = operator_.sources().link;
-  if (link == nullptr)
-    link_->setText("a log");
-  else if (link->state() != LinkState::open)
-    link_->setText(QString("link %1").arg(to_string(link->state())));
+  const bool open = link != nullptr && link->state() == LinkState::open;
+  link_->show_text(link == nullptr ? QString("a log")
+                   : open          ? QString("link %1 ms").arg(link->round_trip_ms(), 0, 'f', 0)
+                                   : QString("link %1").arg(to_string(link->state())));
+  link_->paint_plain(open || link == nullptr ? theme_.text : theme_.danger);
+  for (QPushButton* each : {record_, engage_, acknowledge_}) {
+    each->setVisible(link != nullptr);
+    each->setEnabled(open && link->may_write());
+  }
+}
+
+void StateStrip::show_recording() {
+  const RecordingControl& recording = operator_.recording();
+  const bool failed = !recording.trouble().isEmpty();
+  recording_->show_text(recording.text());
+  if (failed)
+    recording_->paint_sign(theme_.danger, theme_.on_danger);
   else
-    link_->setText(QString("link %1 ms").arg(link->round_trip_ms(), 0, 'f', 0));
-  record_->setText(failed || recording.recording() ? "End recording  Ctrl+R" : "Record  Ctrl+R");
-  for (QPushButton* each : {record_, engage_, acknowledge_})
-    each->setEnabled(link != nullptr && link->state() == LinkState::open && link->may_write());
+    recording_->paint_plain(recording.incomplete() ? theme_.warning : theme_.text);
+  record_->setText(recording.can_end() ? "End recording  Ctrl+R" : "Record  Ctrl+R");
+  banner_->setVisible(failed || !notice_.isEmpty());
+  banner_->show_text(failed ? recording.failure() : notice_);
+  if (failed)
+    banner_->paint_sign(theme_.danger, theme_.on_danger);
+  else
+    banner_->paint_sign(theme_.warning, theme_.surface);
 }
 
 void StateStrip::show_stop() {
   const StopControl& stop = operator_.stop_control();
-  const QString said = QString::fromStdString(stop.text());
-  stop_->setText(said.isEmpty() ? "STOP  F12\n(software stop)" : said + "\nSTOP  F12");
-  const QColor back = stop.state() == StopControl::State::confirmed ? theme_.muted : theme_.danger;
-  stop_->setStyleSheet(QString("background:%1; color:%2; font-weight:bold; font-size:14px;"
-                               "border:2px solid %3; border-radius:4px; padding:2px 10px;")
-                           .arg(back.name(), theme_.on_danger.name(), theme_.text.name()));
+  QString said = QString::fromStdString(stop.text());
+  if (!said.isEmpty()) said[0] = said[0].toUpper();
+  stop_->setText("STOP  F12  (software stop)\n" + said);
+  stop_->setAccessibleName("Software stop: ends the rendering. " + said);
+  const QColor ground =
+      stop.state() == StopControl::State::confirmed ? theme_.muted : theme_.danger;
+  stop_->setStyleSheet(
+      QString("background:%1; color:%2; font-weight:bold; font-size:14px; border:2px solid %3;"
+              "border-radius:4px; padding:2px 4px;")
+          .arg(ground.name(),
+               (theme_.dark && ground == theme_.muted ? theme_.window : theme_.on_danger).name(),
+               theme_.text.name()));
 }
 
 void StateStrip::show_fault() {
   const Alarm* first = operator_.alarms().first();
-  acknowledge_->setVisible(first != nullptr);
-  fault_->setText(first == nullptr ? "no fault" : "FAULT  " + AlarmModel::text(*first));
+  fault_->show_text(first == nullptr
+                        ? QString("no fault")
+                        : "FAULT  " + AlarmModel::text(*first, operator_.sources().data.now()));
   if (first == nullptr)
-    fault_->setStyleSheet(QString("color:%1; padding:2px 4px;").arg(theme_.muted.name()));
+    fault_->paint_plain(theme_.muted);
   else
-    paint(*fault_, theme_.danger, theme_.on_danger);
+    fault_->paint_sign(theme_.danger, theme_.on_danger);
+}
+
+void StateStrip::set_notice(const QString& notice) {
+  notice_ = notice;
+  show_recording();
 }
 
 void StateStrip::say(const QString& text) {
-  remark_->setText(text);
-  remark_->setStyleSheet(QString("color:%1;").arg(theme_.warning.name()));
+  remark_->show_text(text);
   QTimer::singleShot(remark_shown_ms, this, [this, text] {
-    if (remark_->text() == text) remark_->clear();
+    if (remark_->whole_text() == text) remark_->show_text("");
   });
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QLabel>
 #include <QPushButton>
 #include <QWidget>
 
 #include "gui/operate/operator.hpp"
+#include "gui/window/readout.hpp"
 
 namespace trocar::gui {
 
@@ -19,16 +19,27 @@ class StateStrip : public QWidget {
   void refresh();
   void set_theme(const Theme& theme);
   void say(const QString& remark);  // what the runtime answered, for some seconds
+  /// What stays until it is replaced: that the runtime ended, and why.
+  void set_notice(const QString& notice);
+  QPushButton& record_button() { return *record_; }
+  QPushButton& engage_button() { return *engage_; }
+  QPushButton& acknowledge_button() { return *acknowledge_; }
+  QPushButton& stop_button() { return *stop_; }
 
  private:
+  void build();
   void show_stop();
+  void show_state();
+  void show_link();
+  void show_recording();
   void show_fault();
-  QLabel* label(const char* name, const char* accessible);
-  static void paint(QLabel& label, const QColor& back, const QColor& text);
+  void toggle_recording();
+  QPushButton* button(const char* name, const QString& text, const QString& help);
 
   Operator& operator_;
-  QLabel *mode_, *state_, *hand_, *recording_, *link_, *fault_, *remark_;
+  Readout *mode_, *state_, *hand_, *recording_, *link_, *fault_, *remark_, *banner_;
   QPushButton *stop_, *acknowledge_, *record_, *engage_;
+  QString notice_;
   Theme theme_ = Theme::light();
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <QCryptographicHash>
 #include <filesystem>
 #include <stdexcept>
 
@@ -27,7 +28,16 @@ std::string free_recording_name() {
 }  // namespace
 
 void Recording::add_script(const std::string& name, const std::string& text) {
-  exclusive_.run([&] { scripts_.emplace_back(name, text); });
+  const QByteArray hash =
+      QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256);
+  exclusive_.run([&] {
+    if (scripts_.empty()) mark_ = {name, hash.toHex().toStdString()};
+    scripts_.emplace_back(name, text);
+  });
+}
+
+Recording::Mark Recording::mark() {
+  return exclusive_.run([&] { return mark_; });
 }
 
 void Recording::begin_run(const std::vector<RowLayout>& layouts, const WiredGraph& graph,

@@ -23,6 +23,12 @@ class Recording {
   };
 
   void add_script(const std::string& name, const std::string& text);
+  /// Name and SHA-256 of the first script, which the others were required by; "" before it.
+  struct Mark {
+    std::string name;
+    std::string sha256;
+  };
+  Mark mark();
   /// A run begins, whose layouts and graph live until end_run().
   void begin_run(const std::vector<RowLayout>& layouts, const WiredGraph& graph,
                  std::uint64_t epoch_ns, std::string graph_json);
@@ -55,6 +61,7 @@ class Recording {
 
   Exclusive exclusive_;  // of all below
   std::vector<std::pair<std::string, std::string>> scripts_;
+  Mark mark_;
   const std::vector<RowLayout>* layouts_ = nullptr;
   const WiredGraph* graph_ = nullptr;
   std::uint64_t epoch_ns_ = 0;

@@ -30,6 +30,7 @@ constexpr int records_at_a_time = 20'000;
 constexpr const char* state_schema =
     R"({"type":"object","properties":{"run":{"type":"integer"},"running":{"type":"boolean"},)"
     R"("simulated":{"type":"boolean"},"time":{"type":"number"},"log":{"type":"string"},)"
+    R"("script":{"type":"string"},"sha256":{"type":"string"},)"
     R"("recording":{"type":"object","properties":{"file":{"type":"string"},)"
     R"("rows":{"type":"integer"},"missed":{"type":"integer"}}},"trouble":{"type":"string"},)"
     R"("stream_missed":{"type":"integer"},"clients":{"type":"integer"}}})";
@@ -349,12 +350,15 @@ void Server::tell_state() {
   if (!trouble.empty())
     broadcast(stream::status(stream::StatusLevel::error, "recording failed: " + trouble));
   const Recording::State recording = recording_.state();
+  const Recording::Mark mark = recording_.mark();
   const double time = run_ ? 1e-9 * static_cast<double>(time_ns_ - run_->epoch_ns) : 0.0;
   const std::string json = nlohmann::ordered_json{
       {"run", run_ ? run_->number : 0},
       {"running", running_},
       {"simulated", run_ && run_->epoch_ns == 0},
       {"time", time_ns_ == 0 ? 0.0 : time},
+      {"script", mark.name},
+      {"sha256", mark.sha256},
       {"log", run_ ? run_->log : ""},
       {"recording",
        {{"file", recording.file}, {"rows", recording.rows}, {"missed", recording.missed}}},
