@@ -165,6 +165,7 @@ int main(int argc, char** argv) {
   }
   if (figure.is_asked_for()) return figure.run();
   if (!options.screenshot.empty()) qputenv("QT_QPA_PLATFORM", "offscreen");
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);  // they would keep F12 from us
   QApplication app(argc, argv);
   app.setApplicationName("trocar-dashboard");
   app.setStyle("Fusion");  // the same everywhere, and it takes all colours of a palette

@@ -56,13 +56,27 @@ void take_device(const GraphJson& node, NamedSignals& signals) {
   }
 }
 
-/// What a site of a tool offers: where its points are.
+/// Where the sites of a tool are.
 void take_sites(const GraphJson& graph, NamedSignals& signals) {
   for (const GraphJson& group : list(graph, "groups")) {
     const auto sites = group.find("sites");
     if (sites == group.end() || !sites->is_object()) continue;
-    if (const auto tip = sites->find("tip"); tip != sites->end() && signals.tip.empty())
-      signals.tip = text(*tip, "position");
+    const auto take = [&](const char* site, std::string& into) {
+      const auto found = sites->find(site);
+      if (found != sites->end() && into.empty()) into = text(*found, "position");
+    };
+    take("tip", signals.tip);
+    take("handle", signals.handle);
+  }
+}
+
+void take_wires(const GraphJson& graph, NamedSignals& signals) {
+  const std::string statics = signals.wrench.substr(0, signals.wrench.rfind('.'));
+  for (const GraphJson& wire : list(graph, "wires")) {
+    const std::string to = text(wire, "to");
+    if (!signals.device.empty() && to == signals.device + ".hold")
+      signals.hold = text(wire, "from");
+    if (!statics.empty() && to == statics + ".origin") signals.origin = text(wire, "from");
   }
 }
 
@@ -80,9 +94,7 @@ NamedSignals NamedSignals::of(const GraphJson& graph) {
         signals.fixtures.push_back({text(node, "name"), force, output(node, "depth")});
   }
   take_sites(graph, signals);
-  for (const GraphJson& wire : list(graph, "wires"))
-    if (!signals.device.empty() && text(wire, "to") == signals.device + ".hold")
-      signals.hold = text(wire, "from");
+  take_wires(graph, signals);
   return signals;
 }
 

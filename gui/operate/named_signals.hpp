@@ -17,6 +17,8 @@ struct NamedSignals {
   double moment_cap = 0.0;  // [N m]
 
   std::string wrench;        // at the tool that is asked for: "laparoscope.statics.wrench"
+  std::string origin;        // position, about which that wrench's moment is taken
+  std::string handle;        // position
   std::string tip;           // position: "laparoscope.tool.tip.position"
   std::string applied;       // effort, the device's echo
   std::string hold;          // of it what only bears the device's weight

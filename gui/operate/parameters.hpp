@@ -55,6 +55,7 @@ class ParameterModel : public QAbstractTableModel {
   /// Asks for a value in the parameter's unit. Edits of one gesture, as a slider that is drawn, are
   /// undone together; 0 is a gesture of its own. @return why not, or ""
   QString ask(int row, double value, int gesture = 0);
+  int begin_gesture() { return ++gestures_; }
   QString reset(int row) { return ask(row, parameters_[static_cast<std::size_t>(row)].first); }
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -77,6 +78,7 @@ class ParameterModel : public QAbstractTableModel {
   Sources sources_;
   std::vector<ParameterView> parameters_;
   QUndoStack history_;
+  int gestures_ = 0;
 };
 
 }  // namespace trocar::gui

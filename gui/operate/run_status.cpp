@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gui/operate/run_status.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -18,14 +19,22 @@ double value(const DataStore& data, const std::string& name, double otherwise) {
   return std::isfinite(last) ? last : otherwise;
 }
 
-/// Of a vector's three numbers.
-double norm(const DataStore& data, const std::string& name) {
-  double sum = 0.0;
-  for (const char* axis : {".x", ".y", ".z"}) {
-    const double part = value(data, name + axis, 0.0);
-    sum += part * part;
-  }
-  return std::sqrt(sum);
+Eigen::Vector3d vector(const DataStore& data, const std::string& name) {
+  return {value(data, name + ".x", 0.0), value(data, name + ".y", 0.0),
+          value(data, name + ".z", 0.0)};
+}
+
+/// At the handle X of a wrench (f; m) about E, as the gate judges it:  m_X = m - (X - E) x f
+void judge_force(const DataStore& data, const NamedSignals& signals, RunStatus& status) {
+  status.scale = value(data, signals.scale, 1.0);
+  status.has_force = !signals.wrench.empty() && data.find(signals.wrench + ".force.x");
+  if (!status.has_force) return;
+  const Eigen::Vector3d force = vector(data, signals.wrench + ".force");
+  Eigen::Vector3d moment = vector(data, signals.wrench + ".moment");
+  if (!signals.origin.empty() && !signals.handle.empty())
+    moment -= (vector(data, signals.handle) - vector(data, signals.origin)).cross(force);
+  status.force = status.scale * force.norm();
+  status.moment = status.scale * moment.norm();
 }
 
 double percentile(std::vector<double>& values, double share) {
@@ -178,10 +187,7 @@ RunStatus RunStatus::of(const Sources& sources, const NamedSignals& signals, con
     status.fault = flags.fault;
     status.state = state_of(flags.rendering, flags.fault, gate_word(sources.data, signals.device));
     ask_device(sources.data, signals, status);
-    status.scale = value(sources.data, signals.scale, 1.0);
-    status.has_force = !signals.wrench.empty();
-    status.force = status.scale * norm(sources.data, signals.wrench + ".force");
-    status.moment = status.scale * norm(sources.data, signals.wrench + ".moment");
+    judge_force(sources.data, signals, status);
     status.has_report_age = !signals.report_age.empty();
     status.report_age = value(sources.data, signals.report_age, 0.0);
   }

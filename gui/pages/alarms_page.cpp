@@ -39,6 +39,7 @@ QTableView* AlarmsPage::table(const char* name, const QString& accessible,
   view->setAccessibleName(accessible);
   view->setSelectionBehavior(QAbstractItemView::SelectRows);
   view->setAlternatingRowColors(true);
+  view->setTabKeyNavigation(false);  // the tab key leads on, arrows move in it
   view->verticalHeader()->hide();
   view->horizontalHeader()->setStretchLastSection(true);
   view->setColumnWidth(1, 180);

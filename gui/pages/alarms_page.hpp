@@ -18,7 +18,7 @@ class AlarmsPage : public Page {
 
   QString title() const override { return "Alarms and events"; }
   QKeySequence shortcut() const override { return QKeySequence("Ctrl+4"); }
-  void refresh() override {}
+  void refresh() override { events_.refresh(); }
   void set_theme(const Theme&) override {}
   /// Puts the cursor where a remark is typed.
   void begin_remark();

@@ -16,7 +16,9 @@ void ForceMeter::show_status(const RunStatus& status, const Theme& theme) {
   status_ = status;
   theme_ = theme;
   setAccessibleDescription(
-      QString("%1 N of %2 N").arg(status.force, 0, 'f', 1).arg(status.force_cap, 0, 'f', 0));
+      !status.has_force
+          ? QString("the graph has no force")
+          : QString("%1 N of %2 N").arg(status.force, 0, 'f', 1).arg(status.force_cap, 0, 'f', 0));
   update();
 }
 

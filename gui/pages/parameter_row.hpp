@@ -2,12 +2,12 @@
 #pragma once
 
 #include <QDoubleSpinBox>
-#include <QLabel>
 #include <QSlider>
 #include <QWidget>
 
 #include "gui/operate/parameters.hpp"
 #include "gui/theme/theme.hpp"
+#include "gui/window/readout.hpp"
 
 namespace trocar::gui {
 
@@ -21,14 +21,18 @@ class ParameterRow : public QWidget {
   void set_theme(const Theme& theme);
 
  private:
+  void build();
   void show_model();
+  void show_value(const ParameterView& view);
   void ask(double value);
+  void move_slider(int step);
 
   ParameterModel& model_;
   QString name_;
-  QLabel *label_, *range_, *state_;
+  Readout *label_, *range_, *state_;
   QSlider* slider_;
   QDoubleSpinBox* number_;
+  int gesture_ = 0;  // while the slider is drawn
   Theme theme_ = Theme::light();
 };
 

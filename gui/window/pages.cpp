@@ -4,6 +4,7 @@
 #include "gui/pages/alarms_page.hpp"
 #include "gui/pages/operate_page.hpp"
 #include "gui/pages/parameters_page.hpp"
+#include "gui/pages/scripts_page.hpp"
 
 namespace trocar::gui {
 
@@ -11,6 +12,7 @@ void add_pages(MainWindow& window, Operator& operators) {
   window.add_page(new OperatePage(operators));
   window.add_page(new ParametersPage(operators));
   window.add_page(new AlarmsPage(operators));
+  window.add_page(new ScriptsPage(operators));
 }
 
 }  // namespace trocar::gui

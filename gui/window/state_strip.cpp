@@ -68,9 +68,11 @@ void StateStrip::build() {
   rows->addLayout(second);
   for (Readout* each : {mode_, state_, hand_, recording_, link_}) first->addWidget(each);
   first->addStretch(1);
+  for (QPushButton* each : {engage_, record_}) first->addWidget(each);
   second->addWidget(fault_, 3);
   second->addWidget(remark_, 2);
-  for (QPushButton* each : {acknowledge_, engage_, record_}) second->addWidget(each);
+  second->addWidget(acknowledge_);
+  remark_->hide();
   all->addWidget(banner_);
   for (Readout* each : {fault_, remark_, banner_})
     each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -120,6 +122,8 @@ void StateStrip::show_link() {
     each->setVisible(link != nullptr);
     each->setEnabled(open && link->may_write());
   }
+  if (operator_.alarms().first() == nullptr && !operator_.status().fault)
+    acknowledge_->setEnabled(false);
 }
 
 void StateStrip::show_recording() {
@@ -173,8 +177,9 @@ void StateStrip::set_notice(const QString& notice) {
 
 void StateStrip::say(const QString& text) {
   remark_->show_text(text);
+  remark_->show();
   QTimer::singleShot(remark_shown_ms, this, [this, text] {
-    if (remark_->whole_text() == text) remark_->show_text("");
+    if (remark_->whole_text() == text) remark_->hide();
   });
 }
 
