@@ -8,11 +8,13 @@
 #include <QFileInfo>
 #include <memory>
 
+#include "framework/text.hpp"
 #include "framework/version.hpp"
 #include "gui/app/dashboard.hpp"
 #include "gui/app/replay.hpp"
 #include "gui/figures/figure_command.hpp"
 #include "gui/pages/start_page.hpp"
+#include "gui/window/pages.hpp"
 
 namespace {
 
@@ -23,7 +25,8 @@ struct DashboardOptions {
   std::vector<std::string> runtime;
   double after = 5.0;
   double at = 0.0;
-  int page = 1;
+  std::string page = "1";
+  bool list_pages = false;
 };
 
 void add_options(CLI::App& app, DashboardOptions& options) {
@@ -42,9 +45,9 @@ void add_options(CLI::App& app, DashboardOptions& options) {
   app.add_option("--theme", options.theme, "light or dark")
       ->check(CLI::IsMember({"light", "dark"}))
       ->capture_default_str();
-  app.add_option("--page", options.page, "Page to begin with")
-      ->check(CLI::Range(1, 9))
+  app.add_option("--page", options.page, "Page to begin with: its number, or how its title begins")
       ->capture_default_str();
+  app.add_flag("--list-pages", options.list_pages, "Print the pages' titles and leave");
   auto* screenshot = app.add_option("--screenshot", options.screenshot,
                                     "Write a picture of the window, without a display, and leave")
                          ->type_name("FILE.png");
@@ -83,10 +86,28 @@ QSize size_of(const std::string& text) {
   return {width, height};
 }
 
+std::vector<std::string> titles_of(const MainWindow& window) {
+  std::vector<std::string> titles;
+  for (const Page* page : window.pages()) titles.push_back(page->title().toStdString());
+  return titles;
+}
+
+/// @throw std::invalid_argument where there is no such page
+int page_called(const MainWindow& window, const std::string& name) {
+  const std::vector<std::string> titles = titles_of(window);
+  const QString wanted = QString::fromStdString(name);
+  for (std::size_t i = 0; i < titles.size(); ++i)
+    if (name == std::to_string(i + 1) ||
+        QString::fromStdString(titles[i]).startsWith(wanted, Qt::CaseInsensitive))
+      return static_cast<int>(i);
+  throw std::invalid_argument("there is no page \"" + name + "\": there are " +
+                              trocar::join(titles, ", "));
+}
+
 void show(MainWindow& window, const DashboardOptions& options) {
   window.resize(size_of(options.size));
   window.set_theme(options.theme == "dark" ? Theme::dark_one() : Theme::light());
-  window.show_page(options.page - 1);
+  window.show_page(page_called(window, options.page));
   window.show();
   if (options.screenshot.empty()) return;
   QTimer::singleShot(static_cast<int>(1000 * options.after), &window, [&window, &options] {
@@ -137,16 +158,32 @@ int choose(QApplication& app, DashboardOptions& options) {
 }
 
 int play(const DashboardOptions& options) {
-  std::unique_ptr<Replay> replay;
-  try {
-    replay = std::make_unique<Replay>(options.log);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "trocar-dashboard: {}\n", error.what());
-    return 1;
-  }
-  replay->clock().seek(options.at);
-  show(replay->window(), options);
+  Replay replay(options.log);
+  replay.clock().seek(options.at);
+  show(replay.window(), options);
   return QApplication::exec();
+}
+
+int watch(const DashboardOptions& options) {
+  Dashboard dashboard;
+  open(dashboard, options);
+  return QApplication::exec();
+}
+
+int list_pages() {
+  DataStore data;
+  Operator operators(Sources{data});
+  MainWindow window(operators, "");
+  add_pages(window, operators);
+  for (const std::string& title : titles_of(window)) fmt::print("{}\n", title);
+  return 0;
+}
+
+int begin(QApplication& app, DashboardOptions& options) {
+  if (options.list_pages) return list_pages();
+  if (!options.log.empty()) return play(options);
+  if (options.script.empty() && options.connect.empty()) return choose(app, options);
+  return watch(options);
 }
 
 }  // namespace
@@ -164,14 +201,18 @@ int main(int argc, char** argv) {
     return status == 0 ? 0 : 2;
   }
   if (figure.is_asked_for()) return figure.run();
-  if (!options.screenshot.empty()) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (!options.screenshot.empty() || options.list_pages) qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);  // they would keep F12 from us
   QApplication app(argc, argv);
   app.setApplicationName("trocar-dashboard");
   app.setStyle("Fusion");  // the same everywhere, and it takes all colours of a palette
-  if (!options.log.empty()) return play(options);
-  if (options.script.empty() && options.connect.empty()) return choose(app, options);
-  Dashboard dashboard;
-  open(dashboard, options);
-  return app.exec();
+  try {
+    return begin(app, options);
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "trocar-dashboard: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "trocar-dashboard: {}\n", error.what());
+    return 1;
+  }
 }

@@ -81,7 +81,8 @@ void FigureCommand::add_options(CLI::App& app) {
   app.add_option("--quantity", quantity_, "Of a workspace's map (default: continuous_force_least)")
       ->type_name("COLUMN")
       ->group(group);
-  app.footer(list_of_kinds());
+  const std::string before = app.get_footer();
+  app.footer((before.empty() ? "" : before + "\n") + list_of_kinds());
 }
 
 int FigureCommand::draw() const {
