@@ -11,8 +11,8 @@ Lateness lateness_of(const ResultFile& file, int run, const std::string& thread)
   if (file.log() == nullptr)
     throw FigureError("lateness needs the rows of a log (.mcap); this is " + file.contents());
   TimingHistogram histogram;
-  for (const double late : file.signals_of({"lateness"}, run, thread)["lateness"])
-    histogram.add(static_cast<std::int64_t>(late));
+  const auto rows = file.signals_of({"lateness"}, run, thread);
+  for (const double late : rows.at("lateness")) histogram.add(static_cast<std::int64_t>(late));
   if (histogram.max() == 0)
     throw FigureError(
         "no tick is late in this log: lateness needs one that was recorded in real time");

@@ -199,10 +199,10 @@ class TestPlayback : public QObject {
   void what_is_no_log_is_refused_and_what_was_open_stays() {
     Player player;
     QVERIFY(player.load(log_));
-    QVERIFY_EXCEPTION_THROWN(player.feed.open(written("nothing").toStdString()),
-                             std::runtime_error);
-    QVERIFY_EXCEPTION_THROWN(player.feed.open("/nowhere.mcap"), std::runtime_error);
-    QVERIFY_EXCEPTION_THROWN(player.feed.choose(2), std::invalid_argument);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error,
+                             player.feed.open(written("nothing").toStdString()));
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, player.feed.open("/nowhere.mcap"));
+    QVERIFY_THROWS_EXCEPTION(std::invalid_argument, player.feed.choose(2));
     QCOMPARE(player.rows(), std::uint64_t{3000});
   }
 
@@ -318,7 +318,7 @@ class TestPlayback : public QObject {
   }
 
   void the_window_of_a_live_run_shows_a_replay() {
-    QVERIFY_EXCEPTION_THROWN(Replay("/nowhere.mcap"), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, Replay("/nowhere.mcap"));
     Replay replay(log_.toStdString());
     QVERIFY(QTest::qWaitFor([&] { return replay.feed().state() == LogFeed::State::loaded; }));
     replay.clock().seek(2.0);
