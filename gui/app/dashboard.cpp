@@ -26,12 +26,16 @@ void Dashboard::run(const QString& script, const QStringList& options) {
 }
 
 /// It would otherwise connect to whoever gets that port next.
-void Dashboard::hear_end(const QString& why) {
+void Dashboard::hear_end(const QString& why, bool by_force) {
   link_.close();
-  operator_->set_runtime_ended(true);
+  operator_->set_runtime_ended(!by_force);
   const QString last = runtime_->said().trimmed().section('\n', -1).trimmed();
-  window_->state_strip().set_notice(
-      QString("The run has ended: %1%2").arg(why, last.isEmpty() ? "" : ". It said: " + last));
+  QString notice = QString("The run has ended: %1").arg(why);
+  if (by_force)
+    notice += ". Only the device's own watchdog ends its effort";
+  else if (!last.isEmpty())
+    notice += ". It said: " + last;
+  window_->state_strip().set_notice(notice);
 }
 
 void Dashboard::attach(const QUrl& url) {

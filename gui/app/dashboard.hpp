@@ -31,7 +31,7 @@ class Dashboard : public QObject {
 
  private:
   void open_window(const QString& subject);
-  void hear_end(const QString& why);
+  void hear_end(const QString& why, bool by_force);
 
   DataStore data_;
   StreamClient link_;

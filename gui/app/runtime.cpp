@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gui/app/runtime.hpp"
 
+#include <signal.h>
+#include <sys/prctl.h>
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QRegularExpression>
@@ -18,15 +21,16 @@ QString beside(const QString& program) {
 }
 
 Runtime::Runtime(QObject* parent) : QObject(parent) {
+  process_.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGTERM); });
   process_.setProcessChannelMode(QProcess::MergedChannels);
   connect(&process_, &QProcess::readyRead, this, &Runtime::read);
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart) Q_EMIT ended(process_.errorString());
+    if (error == QProcess::FailedToStart) Q_EMIT ended(process_.errorString(), false);
   });
   connect(&process_, &QProcess::finished, this, [this](int code, QProcess::ExitStatus status) {
     read();
-    Q_EMIT ended(status == QProcess::CrashExit ? QString("it was ended by force")
-                                               : QString("status %1").arg(code));
+    const bool by_force = status == QProcess::CrashExit;
+    Q_EMIT ended(by_force ? QString("by force") : QString("status %1").arg(code), by_force);
   });
 }
 

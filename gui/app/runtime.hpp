@@ -9,8 +9,9 @@
 
 namespace trocar::gui {
 
-/// `trocar run SCRIPT --serve` as a process of the dashboard's own, which ends with it. It shares
-/// nothing else with it: if the dashboard hangs or dies, the haptic loop does not notice.
+/// `trocar run SCRIPT --serve` as a process of the dashboard's own. It shares nothing with it, and
+/// its loop does not notice when the dashboard hangs. It ends with the dashboard, in order, also
+/// when that dies: nobody could stop it any more.
 class Runtime : public QObject {
   Q_OBJECT
 
@@ -30,7 +31,8 @@ class Runtime : public QObject {
 
  Q_SIGNALS:
   void serving(const QUrl& url);
-  void ended(const QString& why);
+  /// @param by_force it did not end in order, and what its device does is not known
+  void ended(const QString& why, bool by_force);
 
  private:
   void read();

@@ -75,8 +75,7 @@ void ScriptModel::reload(int row) {
                 ? trouble
                 : (answer.is_object() ? answer.value("trouble", std::string()) : std::string());
         if (!told.empty()) return judge(wanted, "refused: " + QString::fromStdString(told));
-        judge(wanted, "checked, waits for the loop",
-              QString::fromStdString(answer.value("file", std::string())));
+        take_file(wanted, QString::fromStdString(answer.value("file", std::string())));
       });
 }
 
@@ -92,11 +91,22 @@ void ScriptModel::hear_event(const RunEvent& event) {
         QString("%1 at tick %2%3").arg(what).arg(event.tick).arg(why.isEmpty() ? "" : ": " + why));
 }
 
-void ScriptModel::judge(const QString& of, const QString& said, const QString& path) {
+void ScriptModel::judge(const QString& of, const QString& said) {
+  change(of, [&](LawScript& law) { law.verdict = said; });
+}
+
+/// The loop may have judged it before the answer came.
+void ScriptModel::take_file(const QString& of, const QString& path) {
+  change(of, [&](LawScript& law) {
+    law.file = path;
+    if (law.verdict == "asked") law.verdict = "checked, waits for the loop";
+  });
+}
+
+void ScriptModel::change(const QString& of, const std::function<void(LawScript&)>& edit) {
   for (std::size_t i = 0; i < scripts_.size(); ++i) {
     if (scripts_[i].component != of) continue;
-    scripts_[i].verdict = said;
-    if (!path.isEmpty()) scripts_[i].file = path;
+    edit(scripts_[i]);
     const int row = static_cast<int>(i);
     Q_EMIT dataChanged(index(row, 0), index(row, columns - 1));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -45,7 +46,9 @@ class ScriptModel : public QAbstractTableModel {
 
  private:
   void hear_event(const RunEvent& event);
-  void judge(const QString& component, const QString& verdict, const QString& file = {});
+  void judge(const QString& component, const QString& verdict);
+  void take_file(const QString& component, const QString& path);
+  void change(const QString& component, const std::function<void(LawScript&)>& edit);
 
   Sources sources_;
   std::vector<LawScript> scripts_;

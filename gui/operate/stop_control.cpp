@@ -17,6 +17,7 @@ StopControl::StopControl(const Sources& sources, QObject* parent)
   clock_.start();
   connect(&look_, &QTimer::timeout, this, &StopControl::look);
   if (sources_.live != nullptr) connect(sources_.live, &LiveFeed::grew, this, &StopControl::look);
+  connect(&sources_.data, &DataStore::event_added, this, &StopControl::hear_event);
 }
 
 std::int64_t StopControl::newest_tick() const {
@@ -31,6 +32,8 @@ void StopControl::stop() {
   check_.ask(now_s());
   set_state(State::stopping);
   look_.start(look_interval_ms);
+  acted_ = false;
+  asked_at_ = newest_tick();
   ask();
 }
 
@@ -39,8 +42,18 @@ void StopControl::ask() {
   sources_.link->call("stop", nlohmann::json::object(),
                       [this](const nlohmann::json&, const std::string& trouble) {
                         lost_ = !trouble.empty();
-                        if (!lost_) check_.accepted(newest_tick());
+                        if (!lost_ && !acted_) check_.accepted(newest_tick());
                       });
+}
+
+/// Rows from the tick on in which a gate obeyed can confirm it. A gate that had been stopped before
+/// says nothing: then it is those that come after the answer.
+void StopControl::hear_event(const RunEvent& event) {
+  if (state_ != State::stopping || acted_ || event.kind != "fault" || event.tick <= asked_at_ ||
+      !event.detail.starts_with("operator stop"))
+    return;
+  acted_ = true;
+  check_.accepted(event.tick - 1);
 }
 
 void StopControl::forget() {

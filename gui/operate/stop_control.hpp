@@ -41,6 +41,7 @@ class StopControl : public QObject {
 
  private:
   void ask();
+  void hear_event(const RunEvent& event);
   void look();
   void set_state(State state);
   double now_s() const { return 1e-9 * static_cast<double>(clock_.nsecsElapsed()); }
@@ -49,7 +50,9 @@ class StopControl : public QObject {
   Sources sources_;
   NamedSignals signals_;
   StopCheck check_;
-  bool lost_ = false;  // what was asked did not get through
+  bool lost_ = false;          // what was asked did not get through
+  bool acted_ = false;         // the loop said at which tick it obeyed
+  std::int64_t asked_at_ = 0;  // newest tick
   State state_ = State::idle;
   QElapsedTimer clock_;
   QTimer look_;

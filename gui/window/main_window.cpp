@@ -144,6 +144,8 @@ void MainWindow::refresh() {
     frozen_->show_text(QString("FROZEN, behind %1 s; the recording goes on")
                            .arg(operator_.sources().data.now() - *frozen_at_, 0, 'f', 1));
   refresh_marks();
+  // Pictures wait for a stop, and not the other way round.
+  if (operator_.stop_control().state() == StopControl::State::stopping) return;
   if (Page* shown = page(); shown != nullptr && isVisible()) shown->refresh();
 }
 
