@@ -9,10 +9,10 @@ set(trocar_include_dir ${CMAKE_INSTALL_INCLUDEDIR}/trocar)
 set(trocar_doc_dir ${CMAKE_INSTALL_DATAROOTDIR}/doc/trocar)
 
 file(RELATIVE_PATH trocar_bin_to_lib /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
-set_target_properties(trocar trocar-watch PROPERTIES INSTALL_RPATH "$ORIGIN/${trocar_bin_to_lib}")
+set_target_properties(trocar trocar-watch trocar-dashboard PROPERTIES INSTALL_RPATH "$ORIGIN/${trocar_bin_to_lib}")
 set_target_properties(trocar_framework trocar_components PROPERTIES INSTALL_RPATH "$ORIGIN")
 
-install(TARGETS trocar trocar-watch RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS trocar trocar-watch trocar-dashboard RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS trocar_framework trocar_components EXPORT TrocarTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework ${PROJECT_SOURCE_DIR}/components

@@ -9,8 +9,8 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 a logger. Trocar checks the whole graph, steps it a thousand times a second
 or more, passes every force through one safety gate, and records it.
 
-This package holds the trocar command, its libraries and tutorials, and what
-a program of your own needs to use them: headers, CMake and pkg-config files.")
+This package holds the trocar command, the operator's dashboard, libraries and
+tutorials, and what a program of your own needs to use them: headers, CMake and pkg-config files.")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

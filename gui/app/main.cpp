@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // The operator's dashboard. As a program it is under the GPL-3 of QCustomPlot, which it links.
 #include <QApplication>
+#include <cstdio>
 
 #include "gui/app/options.hpp"
 #include "gui/app/program.hpp"
 #include "gui/figures/figure_command.hpp"
+
+namespace {
+
+/// Qt would abort without one.
+bool has_display() {
+  for (const char* name : {"QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"})
+    if (!qEnvironmentVariableIsEmpty(name)) return true;
+  return false;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App parser("Watch a run, move its parameters, and stop it.", "trocar-dashboard");
@@ -18,7 +30,15 @@ int main(int argc, char** argv) {
     return parser.exit(error) == 0 ? 0 : 2;
   }
   if (figure.is_asked_for()) return figure.run();
-  if (!options.screenshot.empty()) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (!options.screenshot.empty() || options.list_pages) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (!has_display()) {
+    std::fputs(
+        "trocar-dashboard: there is no display. --screenshot FILE.png needs none, and `trocar "
+        "watch` "
+        "follows a run on a terminal\n",
+        stderr);
+    return 2;
+  }
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);  // they would keep F12 from us
   const QApplication app(argc, argv);
   QApplication::setApplicationName("trocar-dashboard");

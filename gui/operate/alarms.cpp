@@ -101,11 +101,11 @@ const Alarm* AlarmModel::first() const {
 }
 
 QString AlarmModel::text(const Alarm& alarm, double now) {
-  QString text = QString("%1: %2").arg(alarm.source, alarm.cause);
+  QString text = QString("%1 s ago, tick %2").arg(now - alarm.time, 0, 'f', 0).arg(alarm.tick);
+  if (alarm.count > 1) text += QString(", %1 times").arg(alarm.count);
+  text += QString("  %1: %2").arg(alarm.source, alarm.cause);
   if (alarm.limit != 0.0)
     text += QString(" (%1, limit %2)").arg(alarm.value, 0, 'g', 4).arg(alarm.limit, 0, 'g', 4);
-  text += QString(", tick %1, %2 s ago").arg(alarm.tick).arg(now - alarm.time, 0, 'f', 0);
-  if (alarm.count > 1) text += QString(", %1 times").arg(alarm.count);
   return text;
 }
 

@@ -35,7 +35,7 @@ class AlarmModel : public QAbstractTableModel {
   const std::vector<Alarm>& alarms() const { return alarms_; }
   /// The first that nobody has acknowledged; null when there is none.
   const Alarm* first() const;
-  /// Cause, tick, and how long ago `now` [s] it came.
+  /// How long before `now` [s] it came, tick and cause.
   static QString text(const Alarm& alarm, double now);
   /// Playback: what lies behind the place where it stands is not shown.
   void refresh();

@@ -9,7 +9,8 @@ namespace trocar::gui {
 ForceMeter::ForceMeter(QWidget* parent) : QWidget(parent) {
   setObjectName("force_meter");
   setAccessibleName("force at the handle");
-  setMinimumSize(200, 110);
+  setMinimumSize(200, 108);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
 void ForceMeter::show_status(const RunStatus& status, const Theme& theme) {

@@ -14,7 +14,7 @@ class ForceMeter : public QWidget {
  public:
   explicit ForceMeter(QWidget* parent = nullptr);
   void show_status(const RunStatus& status, const Theme& theme);
-  QSize sizeHint() const override { return {260, 120}; }
+  QSize sizeHint() const override { return {260, 108}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

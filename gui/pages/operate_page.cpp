@@ -23,6 +23,7 @@ OperatePage::OperatePage(Operator& operators, QWidget* parent)
     : Page(parent),
       operator_(operators),
       meter_(new ForceMeter(this)),
+      picture_(new MechanismView(operators.sources(), this)),
       force_(new TimePlot(operators.sources().data, this)),
       tip_(new TimePlot(operators.sources().data, this)),
       over_depth_(new XyPlot(operators.sources().data, this)) {
@@ -31,10 +32,10 @@ OperatePage::OperatePage(Operator& operators, QWidget* parent)
   layout->setContentsMargins(4, 2, 4, 2);
   auto* middle = new QHBoxLayout;
   layout->addLayout(middle, 1);
-  left_ = new QVBoxLayout;
-  left_->addWidget(meter_);
-  left_->addWidget(over_depth_, 1);
-  middle->addLayout(left_, 2);
+  auto* left = new QVBoxLayout;
+  left->addWidget(meter_);
+  left->addWidget(picture_, 1);
+  middle->addLayout(left, 2);
   auto* right = new QVBoxLayout;
   middle->addLayout(right, 5);
   force_->set_title("Force");
@@ -45,6 +46,7 @@ OperatePage::OperatePage(Operator& operators, QWidget* parent)
   over_depth_->setObjectName("over_depth_plot");
   right->addWidget(force_, 1);
   right->addWidget(tip_, 1);
+  right->addWidget(over_depth_, 1);
   rows_ = new QVBoxLayout;
   rows_->setSpacing(0);
   layout->addLayout(rows_);
@@ -56,10 +58,6 @@ OperatePage::OperatePage(Operator& operators, QWidget* parent)
           &OperatePage::choose_parameters);
   choose_signals();
   choose_parameters();
-}
-
-void OperatePage::set_picture(QWidget* picture) {
-  left_->insertWidget(1, picture, 2);
 }
 
 void OperatePage::choose_signals() {
@@ -79,6 +77,7 @@ void OperatePage::choose_signals() {
     over_depth_->set_signals(fixture->depth, fixture->force + ".z");
   else if (!named.tip.empty() && !named.wrench.empty())
     over_depth_->set_signals(named.tip + ".z", named.wrench + ".force.z");
+  if (named.force_cap > 0) over_depth_->set_cap(named.force_cap);
 }
 
 void OperatePage::choose_parameters() {
@@ -100,6 +99,7 @@ void OperatePage::choose_parameters() {
 
 void OperatePage::refresh() {
   meter_->show_status(operator_.status(), theme_);
+  picture_->refresh();
   force_->refresh();
   tip_->refresh();
   over_depth_->refresh();
@@ -107,6 +107,7 @@ void OperatePage::refresh() {
 
 void OperatePage::set_theme(const Theme& theme) {
   theme_ = theme;
+  picture_->set_theme(theme);
   force_->set_theme(theme);
   tip_->set_theme(theme);
   over_depth_->set_theme(theme);

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <vector>
 
+#include "gui/device/mechanism_view.hpp"
 #include "gui/operate/operator.hpp"
 #include "gui/pages/force_meter.hpp"
 #include "gui/pages/parameter_row.hpp"
@@ -12,7 +13,8 @@
 
 namespace trocar::gui {
 
-/// The first screen: force at the handle, live plots, and the parameters of the fixtures.
+/// The first screen: force at the handle, the device, live plots, and the parameters of the
+/// fixtures.
 class OperatePage : public Page {
   Q_OBJECT
 
@@ -23,8 +25,6 @@ class OperatePage : public Page {
   QKeySequence shortcut() const override { return QKeySequence("Ctrl+1"); }
   void refresh() override;
   void set_theme(const Theme& theme) override;
-  /// Beside the force: the device's picture.
-  void set_picture(QWidget* picture);
 
  private:
   void choose_signals();
@@ -32,7 +32,7 @@ class OperatePage : public Page {
 
   Operator& operator_;
   ForceMeter* meter_;
-  QVBoxLayout* left_;
+  MechanismView* picture_;
   TimePlot *force_, *tip_;
   XyPlot* over_depth_;
   QVBoxLayout* rows_;

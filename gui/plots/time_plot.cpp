@@ -57,6 +57,8 @@ TimePlot::TimePlot(DataStore& store, QWidget* parent)
 }
 
 void TimePlot::set_title(const QString& title) {
+  name_ = title;
+  labelled_ = -1;
   title_->setText("<b>" + title.toHtmlEscaped() + "</b>");
   setAccessibleName(title);
 }
@@ -200,19 +202,35 @@ void TimePlot::draw_saturation(double end) {
   shade_->data()->set(points_, true);
 }
 
+/// What the names of all curves begin with, up to a dot: "wall.force" of "wall.force.x" and so on.
+QString TimePlot::common_name() const {
+  if (curves_.size() < 2) return "";
+  std::string common = curves_.front()->signal;
+  for (const auto& curve : curves_) {
+    const auto differ =
+        std::mismatch(common.begin(), common.end(), curve->signal.begin(), curve->signal.end());
+    common.erase(differ.first, common.end());
+  }
+  const std::size_t dot = common.rfind('.');
+  return dot == std::string::npos ? "" : QString::fromStdString(common.substr(0, dot));
+}
+
 /// Names, colours, last values and units, a few times a second.
 void TimePlot::label() {
   const double now = data_.now();
   if (labelled_ >= 0 && std::abs(now - labelled_) < label_interval) return;
   labelled_ = now;
   QString text, units;
+  const QString common = common_name();
+  const qsizetype skipped = common.isEmpty() ? 0 : common.size() + 1;
+  title_->setText(QString("<b>%1</b>&nbsp;&nbsp;%2").arg(name_.toHtmlEscaped(), common));
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     const auto signal = data_.find(curves_[i]->signal);
     const QPen pen = theme_.curve(i);
     static const char* const marks[] = {"▬", "▬ ▬", "▪▪▪"};
     text += QString("&nbsp;&nbsp;<span style='color:%1'>%2</span> %3 ")
                 .arg(pen.color().name(), marks[i / 7 % 3],
-                     QString::fromStdString(curves_[i]->signal).toHtmlEscaped());
+                     QString::fromStdString(curves_[i]->signal).mid(skipped).toHtmlEscaped());
     if (!signal || !std::isfinite(signal->last())) {
       text += QString("<span style='color:%1'>no value</span>").arg(theme_.muted.name());
       continue;

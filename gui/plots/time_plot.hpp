@@ -63,10 +63,12 @@ class TimePlot : public QWidget {
   void resolve(Curve& curve);
   void draw(Curve& curve, double end);
   void draw_saturation(double end);
+  QString common_name() const;
   void label();
   void redraw_all();
 
   DataStore& data_;
+  QString name_;
   QLabel* title_;
   QLabel* legend_;
   QCustomPlot* plot_;

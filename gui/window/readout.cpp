@@ -37,6 +37,7 @@ QSize Readout::sizeHint() const {
 }
 
 QSize Readout::minimumSizeHint() const {
+  if (whole_) return sizeHint();
   return {text_.isEmpty() ? 0 : least_width, QLabel::minimumSizeHint().height()};
 }
 

@@ -15,6 +15,8 @@ class Readout : public QLabel {
   /// @param what it tells, "state of the device"
   Readout(const char* name, const QString& what, QWidget* parent);
 
+  /// It is never cut: short, and what people look for.
+  void set_whole() { whole_ = true; }
   void show_text(const QString& text);
   const QString& whole_text() const { return text_; }
   /// As a sign: bold, on a ground of its own.
@@ -31,6 +33,7 @@ class Readout : public QLabel {
   void set_style(const QString& style);
 
   QString what_, text_, style_;
+  bool whole_ = false;
 };
 
 }  // namespace trocar::gui

@@ -11,7 +11,7 @@ namespace trocar::gui {
 namespace {
 
 constexpr int remark_shown_ms = 8000;
-constexpr QSize stop_size(330, 62);  // of all that it ever says: it must not move
+constexpr QSize stop_size(250, 66);  // of all that it ever says: it must not move
 
 }  // namespace
 
@@ -67,6 +67,7 @@ void StateStrip::build() {
   rows->addLayout(first);
   rows->addLayout(second);
   for (Readout* each : {mode_, state_, hand_, recording_, link_}) first->addWidget(each);
+  for (Readout* each : {mode_, hand_, recording_, link_}) each->set_whole();
   first->addStretch(1);
   for (QPushButton* each : {engage_, record_}) first->addWidget(each);
   second->addWidget(fault_, 3);
@@ -147,12 +148,13 @@ void StateStrip::show_stop() {
   const StopControl& stop = operator_.stop_control();
   QString said = QString::fromStdString(stop.text());
   if (!said.isEmpty()) said[0] = said[0].toUpper();
-  stop_->setText("STOP  F12  (software stop)\n" + said);
+  const QString lines = QString(said).replace(": ", ":\n");
+  stop_->setText("STOP  F12  (software stop)" + (lines.isEmpty() ? "" : "\n" + lines));
   stop_->setAccessibleName("Software stop: ends the rendering. " + said);
   const QColor ground =
       stop.state() == StopControl::State::confirmed ? theme_.muted : theme_.danger;
   stop_->setStyleSheet(
-      QString("background:%1; color:%2; font-weight:bold; font-size:14px; border:2px solid %3;"
+      QString("background:%1; color:%2; font-weight:bold; font-size:13px; border:2px solid %3;"
               "border-radius:4px; padding:2px 4px;")
           .arg(ground.name(),
                (theme_.dark && ground == theme_.muted ? theme_.window : theme_.on_danger).name(),

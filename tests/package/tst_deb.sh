@@ -14,7 +14,7 @@ expect "description" 0 "wired in Lua A Lua script says" dpkg-deb -f "$deb" Descr
 expect "the loader learns of the libraries" 0 "ldconfig" dpkg-deb -I "$deb" postinst
 expect "everybody may read the folders" 0 "drwxr-xr-x root/root" dpkg-deb -c "$deb"
 listed() { dpkg-deb -c "$deb" | awk '{ print $6 }'; }
-for file in bin/trocar "$libdir/libtrocar.so.$version" "$libdir/cmake/Trocar/TrocarConfig.cmake" \
+for file in bin/trocar bin/trocar-dashboard "$libdir/libtrocar.so.$version" "$libdir/cmake/Trocar/TrocarConfig.cmake" \
   share/doc/trocar/copyright share/trocar/scripts/tutorial/01_feel_a_wall.lua include/trocar/framework/component.hpp; do
   expect "it holds $file" 0 " ./usr/$file " bash -c "echo \" \$($(declare -f listed); deb=$deb; listed) \""
 done
@@ -27,7 +27,7 @@ expect "a tutorial runs from it" 0 "no faults" bin/trocar run share/trocar/scrip
 # Each library that its files ask for belongs to a package that Depends names; what those libraries
 # ask for in turn is the business of their packages.
 depends=$(dpkg-deb -f "$deb" Depends)
-files=(bin/trocar "$libdir"/libtrocar*.so."$version")
+files=(bin/trocar bin/trocar-dashboard "$libdir"/libtrocar*.so."$version")
 asked=$(objdump -p "${files[@]}" | awk '/NEEDED/ && !/libtrocar/ { print $2 }' | sort -u)
 for library in $(ldd "${files[@]}" | awk -v asked="$asked" 'index(asked, $1) && /=> \// { print $3 }' | sort -u); do
   # dpkg knows a file by the name that it was packed under, with /usr or without.

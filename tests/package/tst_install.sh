@@ -13,6 +13,10 @@ expect "the program says the version" 0 "trocar $version" bin/trocar --version
 expect "its libraries are those beside it" 0 "$trocar/$libdir/libtrocar_components.so" \
   bash -c "ldd bin/trocar | sed 's|bin/../||'"
 expect "what watches is beside it" 1 "nobody answers at ws://127.0.0.1:1" bin/trocar watch 127.0.0.1:1 --stop
+expect "so is the dashboard, which starts the command beside it" 0 "" env -u DISPLAY XDG_RUNTIME_DIR="$folder" \
+  bin/trocar-dashboard share/trocar/scripts/tutorial/01_feel_a_wall.lua --screenshot "$folder/window.png" --after 3 \
+  -- --black-box off
+expect "its picture is one" 0 "PNG image data, 1280 x 720" file "$folder/window.png"
 expect "a tutorial runs" 0 "no faults" bin/trocar run share/trocar/scripts/tutorial/01_feel_a_wall.lua \
   --for 2s --clock simulated
 expect "documents, licence and package files are there" 0 "" there share/doc/trocar/{README.md,LICENSE,copyright} \

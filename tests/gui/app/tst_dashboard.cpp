@@ -164,6 +164,18 @@ class TestDashboard : public QObject {
     QVERIFY2(said.contains(says), qPrintable(said));
   }
 
+  void without_a_display_it_says_so() {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"})
+      environment.remove(name);
+    process.setProcessEnvironment(environment);
+    process.start(beside("trocar-dashboard"), {wall});
+    QVERIFY(process.waitForFinished(30'000));
+    QCOMPARE(process.exitCode(), 2);
+    QVERIFY(process.readAllStandardError().contains("there is no display"));
+  }
+
   void a_screenshot_needs_no_display_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<int>("scale");

@@ -232,7 +232,7 @@ class TestOperate : public QObject {
     QCOMPARE(alarms.first()->tick, 100);
     QCOMPARE(alarms.first()->count, 2);
     QCOMPARE(AlarmModel::text(*alarms.first(), 60.1),
-             QString("arm: speed: handle, tick 100, 60 s ago, 2 times"));
+             QString("60 s ago, tick 100, 2 times  arm: speed: handle"));
     QCOMPARE(alarms.index(0, AlarmModel::state).data(), QVariant("LATCHED"));
     rig.event("acknowledge refused", "arm", "");
     QVERIFY(alarms.first() != nullptr);
