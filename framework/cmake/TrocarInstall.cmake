@@ -18,7 +18,8 @@ install(TARGETS trocar_framework trocar_components EXPORT TrocarTargets
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework ${PROJECT_SOURCE_DIR}/components
   DESTINATION ${trocar_include_dir} FILES_MATCHING PATTERN "*.hpp"
   PATTERN framework/cmake EXCLUDE
-  PATTERN framework/scripting EXCLUDE)
+  PATTERN framework/scripting EXCLUDE
+  PATTERN message_json.hpp EXCLUDE)  # needs a library that nobody else has to have
 # The others need Lua's, and are of no use outside of the binding.
 install(FILES framework/scripting/script.hpp framework/scripting/spec.hpp
   DESTINATION ${trocar_include_dir}/framework/scripting)
