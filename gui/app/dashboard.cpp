@@ -39,7 +39,15 @@ void Dashboard::hear_end(const QString& why, bool by_force) {
 }
 
 void Dashboard::attach(const QUrl& url) {
-  open_window(url.toString(QUrl::RemoveQuery));
+  const QString where = url.toString(QUrl::RemoveQuery);
+  open_window(where);
+  connect(&link_, &StreamClient::state_changed, this, [this, where] {
+    const bool never = data_.tracks().empty() && link_.state() == LinkState::connecting;
+    window_->state_strip().set_notice(
+        !never ? QString()
+               : QString("No connection to %1: %2. It is tried again twice a second.")
+                     .arg(where, QString::fromStdString(link_.why())));
+  });
   link_.open(url);
 }
 

@@ -33,6 +33,7 @@ Operator::Operator(const Sources& sources, QObject* parent)
 }
 
 void Operator::set_graph(const nlohmann::json& graph) {
+  graph_ = graph;
   named_ = NamedSignals::of(graph);
   stop_.set_signals(named_);
   Q_EMIT named_changed();

@@ -24,6 +24,8 @@ class Operator : public QObject {
   const Sources& sources() const { return sources_; }
   const NamedSignals& named() const { return named_; }
   void set_graph(const nlohmann::json& graph);
+  /// docs/log-format.md#graphjson, of a run or a log; null until it is known.
+  const nlohmann::json& graph() const { return graph_; }
   /// The runtime was a process of ours, and is gone (or is there again).
   void set_runtime_ended(bool ended) { runtime_ended_ = ended; }
   /// As the newest rows say; made anew by refresh().
@@ -50,6 +52,7 @@ class Operator : public QObject {
   void hear_event(const RunEvent& event);
 
   Sources sources_;
+  nlohmann::json graph_;
   NamedSignals named_;
   RunStatus status_;
   StopControl stop_;

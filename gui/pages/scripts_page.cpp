@@ -16,12 +16,9 @@ ScriptsPage::ScriptsPage(Operator& operators, QWidget* parent)
       verdict_(new QPlainTextEdit(this)) {
   setObjectName("scripts_page");
   build();
-  const LiveFeed* live = operator_.sources().live;
-  if (live != nullptr) {
-    connect(live, &LiveFeed::graph_known, this,
-            [this, live] { scripts_.set_graph(live->graph()); });
-    scripts_.set_graph(live->graph());
-  }
+  connect(&operator_, &Operator::named_changed, this,
+          [this] { scripts_.set_graph(operator_.graph()); });
+  scripts_.set_graph(operator_.graph());
   connect(reload_, &QPushButton::clicked, this, [this] { scripts_.reload(row()); });
 }
 

@@ -146,7 +146,8 @@ void StateStrip::show_recording() {
 
 void StateStrip::show_stop() {
   const StopControl& stop = operator_.stop_control();
-  QString said = QString::fromStdString(stop.text());
+  QString said = operator_.sources().link == nullptr ? QString("a log is played: nothing to stop")
+                                                     : QString::fromStdString(stop.text());
   if (!said.isEmpty()) said[0] = said[0].toUpper();
   const QString lines = QString(said).replace(": ", ":\n");
   stop_->setText("STOP  F12  (software stop)" + (lines.isEmpty() ? "" : "\n" + lines));

@@ -467,6 +467,15 @@ class TestWindow : public QObject {
     QVERIFY(line->text().isEmpty());
   }
 
+  void nobody_there_is_said() {
+    Dashboard dashboard;
+    dashboard.attach(QUrl("ws://127.0.0.1:1"));
+    auto* banner = dashboard.window().findChild<Readout*>("banner");
+    QVERIFY(QTest::qWaitFor([&] { return banner->whole_text().contains("refused"); }, 10'000));
+    QVERIFY(banner->whole_text().startsWith("No connection to ws://127.0.0.1:1: "));
+    QCOMPARE(dashboard.operators().status().state, RunState::no_run);
+  }
+
   void the_first_start_says_what_to_do_next() {
     StartPage start;
     start.show();
