@@ -69,7 +69,7 @@ void MainWindow::build() {
 
 void MainWindow::add_keys() {
   keys_.emplace_back("F12", "STOP: ends the rendering, from everywhere");
-  const auto click = [this](QPushButton& button) { return [&button] { button.click(); }; };
+  const auto click = [](QPushButton& button) { return [&button] { button.click(); }; };
   add_key(QKeySequence("Ctrl+E"), "engage", click(state_->engage_button()));
   add_key(QKeySequence("Ctrl+R"), "record, or end the recording", click(state_->record_button()));
   add_key(QKeySequence("Ctrl+K"), "acknowledge faults", click(state_->acknowledge_button()));
