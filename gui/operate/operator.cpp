@@ -45,8 +45,22 @@ QString Operator::mark() const {
   return QString::fromStdString(state.script + " " + state.sha256.substr(0, mark_digits));
 }
 
+/// The graph tells what they were at first; they can be moved while it runs.
+void Operator::follow_caps() {
+  if (named_.device.empty()) return;
+  const auto follow = [this](const char* name, double& cap) {
+    const auto row = parameters_.find(QString::fromStdString(named_.device + name));
+    if (!row) return;
+    const ParameterView& view = parameters_.parameters()[static_cast<std::size_t>(*row)];
+    cap = view.value * view.scale;
+  };
+  follow(".handle_force_cap", named_.force_cap);
+  follow(".handle_moment_cap", named_.moment_cap);
+}
+
 void Operator::refresh() {
   alarms_.refresh();
+  follow_caps();
   const double silent =
       last_rows_.isValid() ? 1e-3 * static_cast<double>(last_rows_.elapsed()) : 0.0;
   status_ =

@@ -50,6 +50,7 @@ class Operator : public QObject {
 
  private:
   void hear_event(const RunEvent& event);
+  void follow_caps();
 
   Sources sources_;
   nlohmann::json graph_;

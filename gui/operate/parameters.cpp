@@ -82,7 +82,7 @@ QString ParameterView::range_text() const {
 QString ParameterView::edit_text() const {
   switch (edit) {
     case Edit::none:
-      return changed() ? "changed" : "";
+      return changed() ? "changed" : live ? "" : "fixed while it runs";
     case Edit::asked:
       return QString("asked: %1 %2").arg(shown(asked), unit);
     case Edit::accepted:
@@ -217,6 +217,7 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   const ParameterView& view = parameters_[static_cast<std::size_t>(index.row())];
   if (role == Qt::ToolTipRole) return view.doc;
+  if (role == live_role) return view.live && view.is_number;
   if (role == Qt::EditRole && index.column() == value) return view.value;
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {

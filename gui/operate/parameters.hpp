@@ -43,6 +43,7 @@ class ParameterModel : public QAbstractTableModel {
 
  public:
   enum Column { name, value, unit, range, first, state, columns };
+  static constexpr int live_role = Qt::UserRole;  // whether it can be changed while it runs
 
   explicit ParameterModel(const Sources& sources, QObject* parent = nullptr);
 

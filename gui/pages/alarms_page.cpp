@@ -15,10 +15,16 @@ AlarmsPage::AlarmsPage(Operator& operators, QWidget* parent)
   setObjectName("alarms_page");
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(new QLabel("<b>Alarms</b>, the first cause on top"));
-  layout->addWidget(table("alarm_table", "alarms", &operator_.alarms()), 1);
+  QTableView* alarms = table("alarm_table", "alarms", &operator_.alarms());
+  layout->addWidget(alarms, 1);
+  alarms->setColumnWidth(AlarmModel::cause, 420);
+  alarms->setColumnWidth(AlarmModel::source, 180);
+  alarms->setColumnWidth(AlarmModel::value, 220);
   layout->addWidget(new QLabel("<b>Events</b>"));
   QTableView* events = table("event_table", "events", &events_);
   layout->addWidget(events, 2);
+  events->setColumnWidth(EventModel::kind, 160);
+  events->setColumnWidth(EventModel::source, 180);
   remark_->setObjectName("annotation");
   remark_->setAccessibleName("remark into the log");
   remark_->setPlaceholderText("a remark, Enter writes it into the log with its tick");
@@ -42,7 +48,6 @@ QTableView* AlarmsPage::table(const char* name, const QString& accessible,
   view->setTabKeyNavigation(false);  // the tab key leads on, arrows move in it
   view->verticalHeader()->hide();
   view->horizontalHeader()->setStretchLastSection(true);
-  view->setColumnWidth(1, 180);
   return view;
 }
 

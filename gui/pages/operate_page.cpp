@@ -67,7 +67,6 @@ void OperatePage::choose_signals() {
   if (!named.wrench.empty())
     for (const char* axis : {".force.x", ".force.y", ".force.z"})
       force_->add_curve(named.wrench + axis);
-  if (named.force_cap > 0) force_->set_cap(named.force_cap);
   if (!named.scale.empty()) force_->set_saturation(named.scale);
   if (!named.tip.empty())
     for (const char* axis : {".x", ".y", ".z"}) tip_->add_curve(named.tip + axis);
@@ -77,7 +76,16 @@ void OperatePage::choose_signals() {
     over_depth_->set_signals(fixture->depth, fixture->force + ".z");
   else if (!named.tip.empty() && !named.wrench.empty())
     over_depth_->set_signals(named.tip + ".z", named.wrench + ".force.z");
-  if (named.force_cap > 0) over_depth_->set_cap(named.force_cap);
+  cap_ = 0.0;
+  show_cap();
+}
+
+void OperatePage::show_cap() {
+  if (const double cap = operator_.named().force_cap; cap > 0 && cap != cap_) {
+    cap_ = cap;
+    force_->set_cap(cap);
+    over_depth_->set_cap(cap);
+  }
 }
 
 void OperatePage::choose_parameters() {
@@ -100,6 +108,7 @@ void OperatePage::choose_parameters() {
 void OperatePage::refresh() {
   meter_->show_status(operator_.status(), theme_);
   picture_->refresh();
+  show_cap();
   force_->refresh();
   tip_->refresh();
   over_depth_->refresh();

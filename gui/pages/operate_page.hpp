@@ -28,6 +28,7 @@ class OperatePage : public Page {
 
  private:
   void choose_signals();
+  void show_cap();
   void choose_parameters();
 
   Operator& operator_;
@@ -37,6 +38,7 @@ class OperatePage : public Page {
   XyPlot* over_depth_;
   QVBoxLayout* rows_;
   std::vector<ParameterRow*> parameters_;
+  double cap_ = 0.0;  // [N] that is shown
   Theme theme_ = Theme::light();
 };
 

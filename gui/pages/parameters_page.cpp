@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gui/pages/parameters_page.hpp"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
@@ -17,10 +18,20 @@ QPushButton* page_button(const char* name, const QString& text, QWidget* parent)
 
 }  // namespace
 
+void ParameterFilter::show_all(bool all) {
+  all_ = all;
+  invalidateFilter();
+}
+
+bool ParameterFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+  const bool live = sourceModel()->index(row, 0, parent).data(ParameterModel::live_role).toBool();
+  return (all_ || live) && QSortFilterProxyModel::filterAcceptsRow(row, parent);
+}
+
 ParametersPage::ParametersPage(Operator& operators, QWidget* parent)
     : Page(parent),
       operator_(operators),
-      filtered_(new QSortFilterProxyModel(this)),
+      filtered_(new ParameterFilter(this)),
       table_(new QTableView(this)),
       undo_(page_button("undo", "Undo  Ctrl+Z", this)),
       redo_(page_button("redo", "Redo  Ctrl+Shift+Z", this)),
@@ -35,6 +46,11 @@ ParametersPage::ParametersPage(Operator& operators, QWidget* parent)
   search->setPlaceholderText("search, e.g. stiffness");
   search->setClearButtonEnabled(true);
   head->addWidget(search, 1);
+  auto* all = new QCheckBox("also what is fixed while it runs", this);
+  all->setObjectName("all_parameters");
+  all->setAccessibleName(all->text());
+  head->addWidget(all);
+  connect(all, &QCheckBox::toggled, filtered_, &ParameterFilter::show_all);
   for (QPushButton* each : {undo_, redo_, reset_}) head->addWidget(each);
   filtered_->setSourceModel(&operator_.parameters());
   filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);

@@ -10,6 +10,21 @@
 
 namespace trocar::gui {
 
+/// Those whose names have the text, and of these only what can be changed, or all.
+class ParameterFilter : public QSortFilterProxyModel {
+  Q_OBJECT
+
+ public:
+  using QSortFilterProxyModel::QSortFilterProxyModel;
+  void show_all(bool all);
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+ private:
+  bool all_ = false;
+};
+
 /// All parameters: searched, edited in their units, undone.
 class ParametersPage : public Page {
   Q_OBJECT
@@ -24,7 +39,7 @@ class ParametersPage : public Page {
 
  private:
   Operator& operator_;
-  QSortFilterProxyModel* filtered_;
+  ParameterFilter* filtered_;
   QTableView* table_;
   QPushButton *undo_, *redo_, *reset_;
 };

@@ -32,7 +32,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   layout->addStretch(1);
   auto* title =
       new QLabel("<h1>Trocar</h1><p>Nothing is open yet. What would you like to see?</p>");
-  title->setMaximumWidth(column_width);
+  title->setFixedWidth(column_width);
   layout->addWidget(title, 0, Qt::AlignHCenter);
   const auto choice = [&](const char* name, const QString& text, const QString& more) {
     auto* button = new QCommandLinkButton(text, more, this);

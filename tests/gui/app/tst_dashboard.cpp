@@ -12,6 +12,7 @@
 
 #include "gui/app/dashboard.hpp"
 #include "gui/pages/scripts_page.hpp"
+#include "gui/plots/time_plot.hpp"
 
 using namespace trocar::gui;
 
@@ -85,6 +86,20 @@ class TestDashboard : public QObject {
     QCOMPARE(demo.stop().text(), std::string("NOT CONFIRMED: use the hardware switch"));
     QVERIFY(demo.wait([&] { return demo.state() == RunState::unknown; }));
     QVERIFY(demo.says("banner").contains("by force"));
+  }
+
+  void the_force_axis_shows_the_cap_also_when_it_is_moved() {
+    Demo demo;
+    QVERIFY(demo.is_seen());
+    auto* plot = demo.dashboard.window().findChild<TimePlot*>("force_plot");
+    QVERIFY(demo.wait([&] { return plot->value_range().upper >= 20.0; }));
+    QVERIFY(plot->value_range().lower <= -20.0);
+    ParameterModel& parameters = demo.dashboard.operators().parameters();
+    const QString cap = "laparoscope.device.handle_force_cap";
+    QVERIFY(demo.wait([&] { return parameters.find(cap) && parameters.may_write(); }));
+    QCOMPARE(parameters.ask(*parameters.find(cap), 30.0), QString());
+    QVERIFY(demo.wait([&] { return plot->value_range().upper >= 30.0; }));
+    QCOMPARE(demo.dashboard.operators().status().force_cap, 30.0);
   }
 
   void a_runtime_that_ends_by_itself_is_told() {

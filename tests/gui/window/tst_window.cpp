@@ -156,19 +156,26 @@ class TestWindow : public QObject {
       std::memcpy(row.data(), &header, sizeof header);
       rig.service.rows().row(0, row);
     };
-    for (std::int64_t tick = 0; tick < 50; ++tick) feed(tick, 2);
-    QVERIFY(looking.is_engaged());
+    std::int64_t tick = 0;
+    // Rows from before it listens are not for it.
+    QVERIFY(looking.wait([&] {
+      feed(tick++, 2);
+      return looking.dashboard.operators().status().state == RunState::engaged;
+    }));
     QTest::keyClick(&looking.dashboard.window(), Qt::Key_F12);
     // It is fed by hand, and nobody takes requests: it renders on, and that is what is said.
-    for (std::int64_t tick = 50; tick < 60; ++tick) feed(tick, 2);
+    for (int i = 0; i < 10; ++i) feed(tick++, 2);
     QVERIFY(
         looking.wait([&] { return looking.stop().state() == StopControl::State::not_confirmed; }));
     QVERIFY(looking.wait([&] {
       return looking.dashboard.window().state_strip().stop_button().text().contains(
           "NOT CONFIRMED:\nuse the hardware switch");
     }));
-    for (std::int64_t tick = 60; tick < 70; ++tick) feed(tick, 2);
-    QVERIFY(looking.is_engaged());
+    QVERIFY(looking.wait([&] {
+      feed(tick++, 2);
+      return looking.dashboard.operators().status().state == RunState::engaged;
+    }));
+    looking.dashboard.window().refresh();
     QCOMPARE(looking.says("state"), QString("▲ ENGAGED"));
     QCOMPARE(looking.stop().state(), StopControl::State::not_confirmed);
     rig.end();
@@ -199,11 +206,16 @@ class TestWindow : public QObject {
     Looking looking(rig);
     rig.begin();
     QVERIFY(looking.wait([&] { return looking.dashboard.data().track("main") != nullptr; }));
-    rig.feed(0, 50);
+    std::int64_t tick = 0;
+    QVERIFY(looking.wait([&] {
+      rig.feed(tick, tick + 1);
+      ++tick;
+      return !looking.dashboard.data().track("main")->empty();
+    }));
     QVERIFY(looking.wait([&] {
       return looking.says("state") == "? UNKNOWN: no rows: the device may still be engaged";
     }));
-    rig.feed(50, 60);
+    rig.feed(tick, tick + 10);
     QVERIFY(looking.wait([&] { return !looking.says("state").contains("UNKNOWN"); }));
     rig.end();
     QVERIFY(looking.wait([&] { return looking.says("state") == "○ RUN ENDED"; }));
