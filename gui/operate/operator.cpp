@@ -42,7 +42,11 @@ void Operator::set_graph(const nlohmann::json& graph) {
 QString Operator::mark() const {
   if (sources_.live == nullptr || sources_.live->state().script.empty()) return "";
   const StreamState& state = sources_.live->state();
-  return QString::fromStdString(state.script + " " + state.sha256.substr(0, mark_digits));
+  return mark_of(state.script, state.sha256);
+}
+
+QString Operator::mark_of(const std::string& script, const std::string& sha256) {
+  return QString::fromStdString(script + " " + sha256.substr(0, mark_digits));
 }
 
 /// The graph tells what they were at first; they can be moved while it runs.

@@ -34,6 +34,7 @@ class Operator : public QObject {
 
   /// Of the script that runs: its name, and of its text what tells one version from another.
   QString mark() const;
+  static QString mark_of(const std::string& script, const std::string& sha256);
 
   StopControl& stop_control() { return stop_; }
   AlarmModel& alarms() { return alarms_; }

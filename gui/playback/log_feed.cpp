@@ -48,6 +48,17 @@ void LogFeed::read_graph() {
     }
 }
 
+LogFeed::Script LogFeed::script() const {
+  for (const McapAttachment& attachment : log_->attachments()) try {
+      if (attachment.media_type != "text/x-lua") continue;
+      const std::vector<std::byte> bytes = log_->read(attachment);
+      return {attachment.name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}};
+    } catch (const McapError&) {
+      break;  // the rows may be whole
+    }
+  return {};
+}
+
 const LogRun& LogFeed::current() const {
   return *std::find_if(runs_.begin(), runs_.end(),
                        [&](const LogRun& run) { return run.number == run_; });

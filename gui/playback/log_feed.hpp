@@ -57,6 +57,11 @@ class LogFeed : public QObject {
   std::string summary() const;
   /// The log's graph.json (docs/log-format.md); null when it has none.
   const nlohmann::json& graph() const { return graph_; }
+  /// The log's first script, which the others were required by; empty when it has none, or damaged.
+  struct Script {
+    std::string name, text;
+  };
+  Script script() const;
 
  Q_SIGNALS:
   void opened();    // another log, or another run of it

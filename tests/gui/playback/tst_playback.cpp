@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QImage>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <algorithm>
 #include <cmath>
@@ -325,6 +326,9 @@ class TestPlayback : public QObject {
     replay.window().show();
     replay.window().set_theme(Theme::dark_one());
     QVERIFY(replay.window().windowTitle().startsWith("REPLAY – wall.mcap"));
+    const QString mark = replay.window().findChild<Readout*>("mark")->whole_text();
+    QVERIFY2(QRegularExpression("^wall\\.mcap   \\S+\\.lua [0-9a-f]{8}$").match(mark).hasMatch(),
+             qPrintable(mark));
     QVERIFY(replay.window().findChild<TimeLine*>("time_line")->isVisible());
     for (std::size_t page = 0; page < replay.window().pages().size(); ++page) {
       replay.window().show_page(static_cast<int>(page));
