@@ -46,7 +46,7 @@ Terminal::Terminal() {
     keys_ = std::make_unique<QSocketNotifier>(STDIN_FILENO, QSocketNotifier::Read);
     connect(keys_.get(), &QSocketNotifier::activated, this, [this] {
       char which = 0;
-      if (read(STDIN_FILENO, &which, 1) == 1)
+      if (::read(STDIN_FILENO, &which, 1) == 1)
         Q_EMIT key(which);
       else
         keys_->setEnabled(false);

@@ -8,7 +8,7 @@
 namespace trocar::gui {
 namespace {
 
-constexpr int look_interval_ms = 20;
+constexpr int redraw_interval_ms = 20;
 constexpr double first_contact_s = 5.0;  // until --list and --stop give up
 constexpr std::size_t remarks_kept = 100;
 
@@ -38,7 +38,7 @@ Watcher::Watcher(WatchOptions options, Print print, Print complain)
 void Watcher::open(const QUrl& url) {
   clock_.start();
   client_.open(url);
-  look_.start(look_interval_ms);
+  look_.start(redraw_interval_ms);
   if (!options_.list && !options_.stop) tell_.start(static_cast<int>(1000.0 * options_.interval));
 }
 
