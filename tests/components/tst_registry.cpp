@@ -14,6 +14,7 @@
 #include "framework/scripting/definition_file.hpp"
 #include "framework/wired_graph.hpp"
 #include "tests/support/allocation_counter.hpp"
+#include "tests/support/sanitized.hpp"
 
 using namespace trocar;
 
@@ -217,7 +218,7 @@ class TestRegistry : public QObject {
     } catch (const std::exception& error) {
       QFAIL(error.what());
     }
-    QCOMPARE(allocations_in_steps(*graph, 10'000), 0);
+    QCOMPARE(allocations_in_steps(*graph, test::sanitized ? 1'000 : 10'000), 0);
     for (const double number : graph->main().numbers()) QVERIFY(std::isfinite(number));
     for (const ScheduleItem& item : graph->main().schedule()) {
       QVERIFY2(item.component->failure() == nullptr, item.component->failure());

@@ -8,6 +8,7 @@
 
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/laparoscope_poses.hpp"
+#include "tests/support/sanitized.hpp"
 
 using namespace trocar;
 using namespace trocar::test;
@@ -66,11 +67,11 @@ class TestLaparoscope : public QObject {
       rig.start();
       const Vector3d before = rig.device->truth.tip->position.eigen();
       QVERIFY((before - pose.tip).norm() < 1e-12);
-      rig.run(1001);
+      rig.run(sanitized ? 101 : 1001);
       worst = std::max(worst, (rig.device->truth.tip->position.eigen() - before).norm());
       QVERIFY(!rig.executor->faults().latched());
     }
-    qInfo("largest drift in 1 s: %.3g m", worst);
+    qInfo("largest drift: %.3g m", worst);
     QVERIFY(worst <= 1e-6);
   }
 

@@ -10,6 +10,7 @@
 #include "components/kinematics/three_phases.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/plant_rig.hpp"
+#include "tests/support/sanitized.hpp"
 
 using namespace trocar;
 using Eigen::Vector3d;
@@ -71,6 +72,7 @@ class TestLaparoscopePlant : public QObject {
     QFETCH(bool, compliant);
     const double usual = swing({gx, 0, gz}, 10, compliant);
     QVERIFY2(usual <= 1e-5, qPrintable(QString::number(usual)));
+    if (sanitized) return;
     // At the usual step the transmissions swing too fast for the leading term alone.
     const double coarse = compliant ? swing({gx, 0, gz}, 20, compliant) : usual;
     const double fine = swing({gx, 0, gz}, compliant ? 40 : 20, compliant);
@@ -90,7 +92,7 @@ class TestLaparoscopePlant : public QObject {
             s.start = {{x, y, z}, 5 * x, -8 * y, 20 * x};
             LaparoscopePlant plant(s);
             const Vector3d before = plant.configuration().tool.tip;
-            for (int k = 0; k < 1000; ++k) {
+            for (int k = 0; k < (sanitized ? 100 : 1000); ++k) {
               plant.apply(weight_of(plant, g));
               plant.advance(tick, 10);
             }
@@ -250,7 +252,7 @@ class TestLaparoscopePlant : public QObject {
   }
 
   void it_survives_any_effort_that_the_drives_can_give() {
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (std::uint64_t seed = 1; seed <= (sanitized ? 2 : 8); ++seed) {
       LaparoscopePlantSettings s;
       s.seed = seed;
       s.hand.mode = seed % 2 ? HandMode::absent : HandMode::firm;

@@ -96,7 +96,9 @@ class TestTool : public QObject {
     QVERIFY((tool_rotation(RollModel::gimbal_outer_x, x_then_y.col(2), ring) - x_then_y).norm() <
             1e-15);
     const Vector3d t = y_then_x.col(2);
-    const Matrix3d swing = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), t).matrix();
+    const Vector3d across = Vector3d::UnitZ().cross(t);
+    const Matrix3d swing =
+        AngleAxisd(std::atan2(across.norm(), t.z()), across.normalized()).matrix();
     QVERIFY((tool_rotation(RollModel::zero_torsion, t, ring) - swing * rz).norm() < 1e-15);
   }
 
