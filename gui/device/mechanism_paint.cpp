@@ -146,39 +146,50 @@ void MechanismPaint::paint_text(const QPointF& baseline, const QString& text,
   painter_.fillPath(path, colour);
 }
 
-/// Beside its point, where no other text is yet.
+/// Beside its point, where no other text is yet: the most telling first, joints' numbers last.
 void MechanismPaint::paint_labels(const MechanismPicture& picture) {
+  const auto rank = [](Part part) {
+    return part == Part::force                            ? 0
+           : part == Part::site || part == Part::point    ? 1
+           : part == Part::carriage || part == Part::ring ? 3
+                                                          : 2;
+  };
+  std::vector<const MechanismPicture::Label*> labels;
+  for (const MechanismPicture::Label& label : picture.labels) labels.push_back(&label);
+  std::stable_sort(labels.begin(), labels.end(),
+                   [&](const auto* a, const auto* b) { return rank(a->part) < rank(b->part); });
   const QFontMetricsF metrics(painter_.font());
-  const QRectF sheet = painter_.viewport();
   std::vector<QRectF> taken;
-  for (auto label = picture.labels.rbegin(); label != picture.labels.rend(); ++label) {
-    const QPointF at = camera_.project(upright(label->at));
+  for (const MechanismPicture::Label* label : labels) {
     const QSizeF size(metrics.horizontalAdvance(label->text), metrics.height());
-    QRectF best;
-    const QPointF places[] = {{9, -0.5 * size.height()},
-                              {-9 - size.width(), -0.5 * size.height()},
-                              {-0.5 * size.width(), -size.height() - 7},
-                              {-0.5 * size.width(), 7},
-                              {9, -1.5 * size.height()},
-                              {9, 0.5 * size.height()}};
+    const auto box = free_place(camera_.project(upright(label->at)), size, taken);
+    if (!box) continue;
+    taken.push_back(*box);
+    const QColor colour = label->part == Part::force ? pen_of(Part::force).color()
+                          : stale_                   ? theme_.muted
+                                                     : theme_.text;
+    paint_text(box->topLeft() + QPointF(0, metrics.ascent()), label->text, colour);
+  }
+}
+
+std::optional<QRectF> MechanismPaint::free_place(const QPointF& at, const QSizeF& size,
+                                                 const std::vector<QRectF>& taken) const {
+  const QRectF sheet = painter_.viewport();
+  for (const double far : {9.0, 26.0}) {
+    const QPointF places[] = {{far, -0.5 * size.height()},
+                              {-far - size.width(), -0.5 * size.height()},
+                              {-0.5 * size.width(), -size.height() - far},
+                              {-0.5 * size.width(), far},
+                              {far, -1.3 * size.height()},
+                              {far, 0.3 * size.height()}};
     for (const QPointF& place : places) {
       const QRectF box(at + place, size);
       const bool free = std::none_of(taken.begin(), taken.end(),
                                      [&](const QRectF& other) { return other.intersects(box); });
-      if (!free || !sheet.contains(box)) continue;
-      best = box;
-      break;
+      if (free && sheet.contains(box)) return box;
     }
-    if (best.isNull()) {  // the numbers of joints go first
-      if (label->part == Part::carriage || label->part == Part::ring) continue;
-      best = QRectF(at + places[0], size);
-    }
-    taken.push_back(best);
-    const QColor colour = label->part == Part::force ? pen_of(Part::force).color()
-                          : stale_                   ? theme_.muted
-                                                     : theme_.text;
-    paint_text(best.topLeft() + QPointF(0, metrics.ascent()), label->text, colour);
   }
+  return std::nullopt;
 }
 
 void MechanismPaint::paint_triad(const QPointF& corner, double length) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QPainter>
+#include <optional>
+#include <vector>
 
 #include "gui/device/camera.hpp"
 #include "gui/device/mechanism_picture.hpp"
@@ -32,6 +34,8 @@ class MechanismPaint {
   void paint_piece(const Piece& piece);
   void paint_dot(const QPointF& at, Part part);
   void paint_labels(const MechanismPicture& picture);
+  std::optional<QRectF> free_place(const QPointF& at, const QSizeF& size,
+                                   const std::vector<QRectF>& taken) const;
   void paint_text(const QPointF& baseline, const QString& text, const QColor& colour);
   QPen pen_of(Part part) const;
 

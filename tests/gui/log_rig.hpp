@@ -7,13 +7,14 @@
 
 namespace trocar::test {
 
-/// The log of a script, run in virtual time, as a dashboard sees it.
+/// The log of a script as a dashboard sees it.
 class LogRig {
  public:
-  explicit LogRig(const QByteArray& script, const QStringList& settings = {},
-                  double seconds = 0.02) {
+  explicit LogRig(const QByteArray& script, const QStringList& settings = {}, double seconds = 0.02,
+                  ClockKind clock = ClockKind::simulated) {
     const std::string path = folder_.filePath("run.mcap").toStdString();
-    findings = run_script_text(script, settings, {.duration = seconds, .record = path}).findings;
+    findings =
+        run_script_text(script, settings, {.duration = seconds, .record = path}, clock).findings;
     if (!findings.isEmpty()) return;
     feed.open(path);
     if (!QTest::qWaitFor([this] { return feed.state() == gui::LogFeed::State::loaded; }, 20'000))

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is drawn of a device is where the device is.
+#include <QAbstractItemModelTester>
 #include <QApplication>
+#include <QCheckBox>
 #include <QSignalSpy>
 #include <algorithm>
 
 #include "components/kinematics/workspace.hpp"
-#include "gui/device/mechanism_view.hpp"
+#include "gui/data/shown_number.hpp"
 #include "gui/graph/graph_reading.hpp"
+#include "gui/pages/device_page.hpp"
 #include "tests/gui/log_rig.hpp"
 #include "tests/gui/pictures.hpp"
 
@@ -199,6 +202,81 @@ class TestDevice : public QObject {
     QVERIFY(std::abs(volume - sampled.volume) < 0.06 * sampled.volume);
   }
 
+  void axes_have_position_velocity_effort_and_limits() {
+    LogRig rig(wall_script, {"laparoscope.ideal=true"});
+    const Seen seen(rig);
+    const JointSignals joints = JointSignals::of(rig.feed.graph());
+    QCOMPARE(joints.velocity, std::string("laparoscope.velocity.velocity"));
+    QCOMPARE(joints.asked, std::string("laparoscope.statics.effort"));
+    QCOMPARE(joints.hold, std::string("laparoscope.weight.effort"));
+    CellTable table(joint_header());
+    QAbstractItemModelTester tester(&table);
+    table.show(joint_rows(joints, seen.scene, rig.store));
+    QCOMPARE(table.rowCount(), 6);
+    const auto text = [&](int row, int column) {
+      return table.index(row, column).data().toString();
+    };
+    const double q1 = newest_number(rig.store, "laparoscope.device.position.axis1");
+    QCOMPARE(text(0, 0), QString("slider 1"));
+    QCOMPARE(text(0, 1), QString("%1 mm").arg(1e3 * q1, 0, 'f', 2));
+    QVERIFY(std::abs(table.index(0, 2).data(CellTable::share_role).toDouble() -
+                     (q1 + 0.310) / 0.120) < 1e-9);
+    QCOMPARE(text(0, 3), QString("-310 to -190 mm"));
+    QVERIFY(text(0, 4).endsWith(" mm/s"));
+    QVERIFY(text(0, 5).endsWith(" N") && text(0, 8).endsWith(" N"));
+    QCOMPARE(text(5, 0), QString("ring 6"));
+    QCOMPARE(text(5, 3), QString("0 to 480 °"));
+    QVERIFY(text(5, 7).endsWith(" N m"));
+  }
+
+  void ranges_and_sites_have_numbers_with_units() {
+    LogRig rig(wall_script,
+               {"laparoscope.ideal=true", "laparoscope.device.start_position=82 mm, 0 mm, 85 mm",
+                "laparoscope.device.start_angles=43.5 deg, 0 deg, 0 deg"});
+    QVERIFY2(rig.findings.isEmpty(), qPrintable(rig.findings.join('\n')));
+    const Seen seen(rig);
+    CellTable ranges(range_header()), sites(site_header());
+    QAbstractItemModelTester tester(&ranges), another(&sites);
+    ranges.show(range_rows(seen.scene, seen.pose));
+    sites.show(site_rows(seen.scene, seen.pose, rig.store));
+    qInfo() << ranges.index(0, 1).data() << sites.index(0, 1).data() << sites.index(2,1).data();
+    QCOMPARE(ranges.index(0, 0).data().toString(), QString("tilt of the tool"));
+    QCOMPARE(ranges.index(0, 2).data().toString(), QString("near its end"));
+    QVERIFY(ranges.index(0, 2).data(CellTable::warning_role).toBool());
+    QVERIFY(ranges.index(0, 4).data().toString().endsWith(" °"));
+    QVERIFY(!ranges.index(2, 2).data(CellTable::warning_role).toBool());
+    QCOMPARE(sites.rowCount(), 3 + 2 + 1);
+    const auto force = newest_vector(rig.store, "spring.force");
+    QCOMPARE(sites.index(0, 0).data().toString(), QString("handle"));
+    QCOMPARE(sites.index(0, 4).data().toString(), QString("%1 N").arg(force->norm(), 0, 'f', 2));
+    const std::size_t before = sites.rows().size();
+    sites.show({});  // another run, without any
+    QVERIFY(before > 0 && sites.rowCount() == 0);
+  }
+
+  void numbers_are_shown_with_their_units_data() {
+    QTest::addColumn<double>("value");
+    QTest::addColumn<QString>("unit");
+    QTest::addColumn<QString>("shown");
+    QTest::newRow("lengths in mm") << 0.0123 << "m"
+                                   << "12.30 mm";
+    QTest::newRow("angles in degrees") << 3.14159265358979 << "rad"
+                                       << "180.00 °";
+    QTest::newRow("no minus before zero") << -1e-9 << "N"
+                                          << "0.00 N";
+    QTest::newRow("nothing is not zero") << std::nan("") << "N"
+                                         << "–";
+    QTest::newRow("other units as they are") << 2200.0 << "N/m"
+                                             << "2200 N/m";
+    QTest::newRow("plain numbers") << 0.5 << "1"
+                                   << "0.5";
+  }
+  void numbers_are_shown_with_their_units() {
+    QFETCH(double, value);
+    QFETCH(QString, unit);
+    QTEST(shown_number(value, unit.toStdString()), "shown");
+  }
+
   void the_camera_keeps_lengths_across_and_all_in_sight() {
     Camera camera;
     const std::vector<Eigen::Vector3d> corners = {
@@ -291,6 +369,28 @@ class TestDevice : public QObject {
         QVERIFY(colours_in(image) > 100);
         QCOMPARE(image.pixelColor(size - 4, size / 2), theme.surface);
       }
+  }
+
+  void the_page_has_picture_and_tables() {
+    LogRig rig(wall_script, {"laparoscope.ideal=true",
+                             "laparoscope.device.start_angles=12 deg, -9 deg, 25 deg"});
+    Operator operators(rig.sources());
+    for (const Theme& theme : {Theme::dark_one(), Theme::light()}) {
+      QApplication::setPalette(theme.palette());
+      DevicePage page(operators);
+      page.set_theme(theme);
+      page.resize(1260, 600);
+      page.refresh();
+      QVERIFY(colours_in(picture_of(page, theme.dark ? "device_page_dark" : "device_page_light")) >
+              100);
+    }
+    DevicePage page(operators);
+    QCOMPARE(page.findChild<QTableView*>("joint_table")->model()->rowCount(), 6);
+    auto* box = page.findChild<QCheckBox*>("workspace_shown");
+    box->setChecked(true);
+    QVERIFY(page.picture().workspace_shown());
+    QTest::keyClick(&page.picture(), Qt::Key_W);
+    QVERIFY(!box->isChecked());
   }
 };
 
