@@ -200,8 +200,10 @@ class TestTiming : public QObject {
   }
 
   void virtual_time_says_that_its_times_are_none() {
-    LogRig rig("local c = trocar.Constant { value = '1 N' }\ntrocar.Scale { input = c.value, factor = 2 }\n",
-               {}, 0.1);
+    LogRig rig(
+        "local c = trocar.Constant { value = '1 N' }\ntrocar.Scale { input = c.value, factor = 2 "
+        "}\n",
+        {}, 0.1);
     QVERIFY2(rig.findings.isEmpty(), qPrintable(rig.findings.join('\n')));
     Operator operators(rig.sources());
     TimingPage page(operators);
