@@ -12,9 +12,9 @@
 namespace trocar::gui {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown_time = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t rows_of_mean = 256;
-constexpr double window = 1.0;           // [s] of the worst step and the rate
+constexpr double worst_window = 1.0;     // [s] of the worst step and the rate
 constexpr std::size_t most_numbers = 8;  // of a port that are written out
 
 std::string step_signal(std::string node) {
@@ -30,7 +30,7 @@ double mean_of(const Column& column, std::uint64_t begin, std::uint64_t end) {
     sum += column[row];
     count += 1.0;
   }
-  return count > 0.0 ? sum / count : none;
+  return count > 0.0 ? sum / count : unknown_time;
 }
 
 }  // namespace
@@ -84,14 +84,17 @@ void GraphModel::refresh() {
 
 void GraphModel::read_node(std::size_t index) {
   const GraphStructure::Node& node = structure_.nodes[index];
-  NodeLive live{.rate = node.rate, .step_mean = none, .step_worst = none, .age = none};
+  NodeLive live{.rate = node.rate,
+                .step_mean = unknown_time,
+                .step_worst = unknown_time,
+                .age = unknown_time};
   const Track* track = sources_.data.track(node.thread);
   const std::uint64_t end = track == nullptr ? 0 : track->view_end();
   if (end > (track == nullptr ? 0 : track->first())) {
     live.state = state_of_run();
     const double newest = track->time(end - 1);
     live.age = std::max(0.0, sources_.data.now() - newest);
-    const std::uint64_t begin = track->at(newest - window);
+    const std::uint64_t begin = track->at(newest - worst_window);
     const double span = newest - track->time(begin);
     if (!(live.rate > 0.0) && span > 0.0) live.rate = static_cast<double>(end - 1 - begin) / span;
     if (const auto column = track->find(step_signal(node.name))) {

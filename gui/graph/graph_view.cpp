@@ -11,7 +11,7 @@
 namespace trocar::gui {
 namespace {
 
-constexpr double zoom_of_a_key = 1.25;
+constexpr double graph_zoom_step = 1.25;
 constexpr double most_zoom = 3.0, least_zoom = 0.1;
 
 }  // namespace
@@ -138,9 +138,9 @@ void GraphView::keyPressEvent(QKeyEvent* event) {
       return go(0, 1);
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-      return zoom_at(rect().center(), zoom_of_a_key);
+      return zoom_at(rect().center(), graph_zoom_step);
     case Qt::Key_Minus:
-      return zoom_at(rect().center(), 1.0 / zoom_of_a_key);
+      return zoom_at(rect().center(), 1.0 / graph_zoom_step);
     case Qt::Key_Home:
       return fit();
     default:
