@@ -8,6 +8,7 @@
 namespace trocar::gui {
 namespace {
 
+constexpr double in_front = 10.0;  // [m]: nothing hides a force, which often points along the tool
 constexpr double longest_piece = 0.015;  // [m]: of long lines, each piece has a depth of its own
 
 }  // namespace
@@ -68,7 +69,8 @@ std::vector<MechanismPaint::Piece> MechanismPaint::pieces_of(
     for (int i = 0; i < count; ++i) {
       const Eigen::Vector3d a = from + way * (static_cast<double>(i) / count);
       const Eigen::Vector3d b = from + way * ((i + 1.0) / count);
-      pieces.push_back({camera_.depth(0.5 * (a + b)), line.part,
+      const double front = line.part == Part::force ? in_front : 0.0;
+      pieces.push_back({camera_.depth(0.5 * (a + b)) + front, line.part,
                         QPolygonF({camera_.project(a), camera_.project(b)})});
     }
   }

@@ -58,6 +58,12 @@ CellView::CellView(const char* name, const QString& accessible, QAbstractItemMod
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   horizontalHeader()->setHighlightSections(false);
   connect(model, &QAbstractItemModel::modelReset, this, &CellView::fit_columns);
+  widen_.setSingleShot(true);
+  widen_.setInterval(200);
+  connect(&widen_, &QTimer::timeout, this, &CellView::widen_columns);
+  connect(model, &QAbstractItemModel::dataChanged, this, [this] {
+    if (!widen_.isActive()) widen_.start();
+  });
   fit_columns();
 }
 

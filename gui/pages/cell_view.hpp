@@ -3,6 +3,7 @@
 
 #include <QStyledItemDelegate>
 #include <QTableView>
+#include <QTimer>
 
 #include "gui/theme/theme.hpp"
 
@@ -40,6 +41,7 @@ class CellView : public QTableView {
   int width_for(int column) const;
 
   CellDelegate* delegate_;
+  QTimer widen_;  // soon after what is shown has changed
 };
 
 }  // namespace trocar::gui

@@ -395,6 +395,18 @@ class TestDevice : public QObject {
     }
     DevicePage page(operators);
     QCOMPARE(page.findChild<QTableView*>("joint_table")->model()->rowCount(), 6);
+    // Values that come later have room.
+    auto* joints = page.findChild<QTableView*>("joint_table");
+    rig.store.set_view_end(-1.0);
+    page.refresh();
+    for (int column = 0; column < joints->model()->columnCount(); ++column)
+      joints->setColumnWidth(column, 20);
+    rig.store.set_view_end(std::nullopt);
+    page.refresh();
+    QVERIFY(QTest::qWaitFor([&] {
+      const QString text = joints->model()->index(0, 1).data().toString();
+      return joints->columnWidth(1) > joints->fontMetrics().horizontalAdvance(text);
+    }));
     auto* box = page.findChild<QCheckBox*>("workspace_shown");
     box->setChecked(true);
     QVERIFY(page.picture().workspace_shown());
