@@ -26,7 +26,6 @@ using namespace trocar;
 namespace {
 
 constexpr int plots = 4, curves = 6;
-constexpr double rate = 10'000.0;
 constexpr std::int64_t rows_a_batch = 100, batches_a_frame = 3;  // some 30 ms
 
 double thread_time() {
