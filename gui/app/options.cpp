@@ -67,6 +67,9 @@ void add_options(CLI::App& app, DashboardOptions& options) {
       ->capture_default_str();
   app.add_option("--page", options.page, "Page to begin with: its number, or how its title begins")
       ->capture_default_str();
+  app.add_option("--layout", options.layout, "Show these plots, a layout that was saved")
+      ->type_name("FILE.json")
+      ->check(CLI::ExistingFile);
   app.add_flag("--list-pages", options.list_pages, "Print the pages' titles and leave");
   app.add_option("--size", options.size, "Of the window [pixels]")
       ->type_name("WxH")
@@ -85,7 +88,7 @@ void add_options(CLI::App& app, DashboardOptions& options) {
       "\nExamples:\n  trocar-dashboard scripts/tutorial/01_feel_a_wall.lua\n"
       "  trocar-dashboard trial.lua -- --record trial_7.mcap --for 60s\n"
       "  trocar-dashboard --connect ws://lab:8765/?token=…\n"
-      "  trocar-dashboard --open trial_7.mcap --at 12.5\n"
+      "  trocar-dashboard --open trial_7.mcap --at 12.5 --layout contact.json\n"
       "F12 stops the rendering, F1 shows all keys. This program is under the GPL, version 3.");
 }
 

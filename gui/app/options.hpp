@@ -20,6 +20,7 @@ struct DashboardOptions {
   double after = 5.0;      // [s] until the screenshot
   double at = 0.0;         // [s] in the log
   std::string page = "1";  // its number, or how its title begins
+  std::string layout{};    // file, of the page of plots
   bool list_pages = false;
 
   QSize window_size() const;  // [pixels]

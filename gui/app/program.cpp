@@ -8,6 +8,7 @@
 #include <QTimer>
 
 #include "framework/text.hpp"
+#include "gui/pages/plots_page.hpp"
 #include "gui/window/pages.hpp"
 
 namespace trocar::gui {
@@ -66,6 +67,7 @@ int Program::show_subject() {
 }
 
 int Program::show(MainWindow& window) {
+  if (!options_.layout.empty() && !load_layout(window)) return 2;
   const int page = page_called(window, options_.page);
   if (page < 0) {
     fmt::print(stderr, "trocar-dashboard: there is no page \"{}\": there are {}\n", options_.page,
@@ -82,6 +84,18 @@ int Program::show(MainWindow& window) {
     take_picture(window);
   });
   return 0;
+}
+
+bool Program::load_layout(MainWindow& window) {
+  auto* plots = window.findChild<PlotsPage*>();
+  try {
+    plots->load_layout(QString::fromStdString(options_.layout));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "trocar-dashboard: {}\n", error.what());
+    return false;
+  }
+  if (options_.page == DashboardOptions().page) options_.page = plots->title().toStdString();
+  return true;
 }
 
 int Program::list_pages() {

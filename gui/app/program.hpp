@@ -22,6 +22,7 @@ class Program {
  private:
   int show_subject();  // exit status, 0: it is shown
   int show(MainWindow& window);
+  bool load_layout(MainWindow& window);
   static int list_pages();
   void ask();
   void choose(std::string DashboardOptions::*subject, const QString& chosen);

@@ -21,6 +21,11 @@ RunEvent read_event(std::span<const std::byte> message) {
   return event;
 }
 
+bool is_marked(const RunEvent& event) {
+  return event.kind == "fault" || event.kind == "annotated" || event.kind == "rows missed" ||
+         event.kind.ends_with("refused");
+}
+
 double SignalRef::last() const {
   const std::uint64_t end = track == nullptr ? 0 : track->view_end();
   return end > 0 && end > track->first() ? column()[end - 1]

@@ -31,6 +31,9 @@ struct RunEvent {
 /// @throw std::runtime_error when the bytes are not a "trocar/Event" as CDR
 RunEvent read_event(std::span<const std::byte> message);
 
+/// One that people look for: a fault, a remark, what was refused, rows missed.
+bool is_marked(const RunEvent& event);
+
 /// A column of a track.
 struct SignalRef {
   const Track* track = nullptr;

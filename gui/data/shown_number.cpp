@@ -38,6 +38,11 @@ QString shown_unit(const std::string& unit) {
   return unit == "1" ? QString() : QString::fromStdString(unit);
 }
 
+double shown_scale(const std::string& unit) {
+  const ShownAs* as = find_shown(unit);
+  return as == nullptr ? 1.0 : as->scale;
+}
+
 QString shown_value(double value, const std::string& unit) {
   if (!std::isfinite(value)) return "–";
   const ShownAs* as = find_shown(unit);

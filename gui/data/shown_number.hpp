@@ -13,6 +13,7 @@ QString shown_number(double value, const std::string& unit);
 /// The same without the unit, which is `shown_unit(unit)`.
 QString shown_value(double value, const std::string& unit);
 QString shown_unit(const std::string& unit);
+double shown_scale(const std::string& unit);  // what is shown for one in SI
 
 /// "1.23 µs", "4.5 ms": [ns]
 QString shown_duration(double nanoseconds);

@@ -4,10 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "gui/figures/result_file.hpp"
+#include "gui/figures/save_picture.hpp"
+
 namespace trocar::gui {
 namespace {
 
 constexpr double pixels_per_mm = 10.0;
+constexpr int layout_dpi = 254;
 constexpr double point_mm = 25.4 / 72.0;
 
 constexpr int pixels(double mm) {
@@ -157,6 +161,14 @@ QCPScatterStyle FigureSheet::mark(std::size_t n) {
   QCPScatterStyle style(shapes[n % shapes.size()], 1.5 * pixels_per_mm);
   style.setPen(pen);
   return style;
+}
+
+void FigureSheet::save(const QString& path) {
+  if (!is_picture_name(path))
+    throw FigureError(path.toStdString() + ": figures end with .png, .pdf or .svg");
+  save_picture(path, plot_->viewport().size(), layout_dpi, [this](QCPPainter& painter) {
+    plot_->toPainter(&painter, plot_->viewport().width(), plot_->viewport().height());
+  });
 }
 
 }  // namespace trocar::gui

@@ -50,10 +50,6 @@ class FigureSheet {
 
  private:
   QCPAxisRect* make_panel(const QString& x_label, const QString& y_label);
-  void paint(QCPPainter& painter);
-  void save_png(const QString& path);
-  void save_pdf(const QString& path);
-  void save_svg(const QString& path);
 
   std::unique_ptr<QCustomPlot> plot_;
   QCPMarginGroup* sides_;  // of the plot

@@ -123,4 +123,10 @@ void OperatePage::set_theme(const Theme& theme) {
   for (ParameterRow* row : parameters_) row->set_theme(theme);
 }
 
+void OperatePage::freeze(std::optional<double> at) {
+  force_->freeze(at);
+  tip_->freeze(at);
+  over_depth_->freeze(at);
+}
+
 }  // namespace trocar::gui

@@ -25,6 +25,7 @@ class OperatePage : public Page {
   QKeySequence shortcut() const override { return QKeySequence("Ctrl+1"); }
   void refresh() override;
   void set_theme(const Theme& theme) override;
+  void freeze(std::optional<double> at) override;
 
  private:
   void choose_signals();

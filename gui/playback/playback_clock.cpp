@@ -92,11 +92,6 @@ void PlaybackClock::step(int rows) {
   move(track->time(static_cast<std::uint64_t>(row)));
 }
 
-bool PlaybackClock::is_marked(const RunEvent& event) {
-  return event.kind == "fault" || event.kind == "annotated" || event.kind == "rows missed" ||
-         event.kind.ends_with("refused");
-}
-
 void PlaybackClock::jump_to_event(int direction) {
   hold();
   const RunEvent* best = nullptr;

@@ -38,9 +38,6 @@ class PlaybackClock : public QObject {
   /// As if `seconds` of real time had passed while it played.
   void advance(double seconds);
 
-  /// Events that one looks for: faults, remarks, edits that were refused, and rows missed.
-  static bool is_marked(const RunEvent& event);
-
  Q_SIGNALS:
   void moved(double now);
   void changed();  // playing, speed, loop

@@ -102,7 +102,7 @@ const RunEvent* TimeLine::event_near(double x) const {
   double distance = near_px;
   for (const RunEvent& event : store_.events()) {
     const double its = std::abs(x_of(event.time) - x);
-    if (!PlaybackClock::is_marked(event) || its >= distance) continue;
+    if (!is_marked(event) || its >= distance) continue;
     nearest = &event;
     distance = its;
   }

@@ -38,7 +38,7 @@ void TimeLine::paintEvent(QPaintEvent*) {
   paint_bar(painter);
   paint_numbers(painter);
   for (const RunEvent& event : store_.events())
-    if (PlaybackClock::is_marked(event)) paint_event(painter, event);
+    if (is_marked(event)) paint_event(painter, event);
   paint_handle(painter);
 }
 

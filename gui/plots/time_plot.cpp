@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/data/shown_number.hpp"
+#include "gui/plots/plot_look.hpp"
+
 namespace trocar::gui {
 namespace {
 
@@ -14,6 +17,16 @@ constexpr double least_scale = 0.999;   // below it the gate held back
 /// Room for numbers of any length, so that plots under each other have one time axis.
 constexpr QMargins margins(64, 6, 10, 34);
 
+QCPLayer* buffered_layer(QCustomPlot& plot) {
+  plot.addLayer("curves", plot.layer("main"), QCustomPlot::limAbove);
+  plot.layer("curves")->setMode(QCPLayer::lmBuffered);
+  return plot.layer("curves");
+}
+
+Extremes scaled(const Extremes& extremes, double scale) {
+  return {scale * extremes.min, scale * extremes.max};
+}
+
 }  // namespace
 
 TimePlot::TimePlot(DataStore& store, QWidget* parent)
@@ -21,7 +34,9 @@ TimePlot::TimePlot(DataStore& store, QWidget* parent)
       data_(store),
       title_(new QLabel(this)),
       legend_(new QLabel(this)),
-      plot_(new QCustomPlot(this)) {
+      plot_(new QCustomPlot(this)),
+      curves_layer_(buffered_layer(*plot_)),
+      marks_(*plot_, *curves_layer_) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 2);
   layout->setSpacing(0);
@@ -38,21 +53,17 @@ TimePlot::TimePlot(DataStore& store, QWidget* parent)
   plot_->axisRect()->setMargins(margins);
   plot_->setNotAntialiasedElements(QCP::aeAll);
   plot_->setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
-  plot_->xAxis->setLabel("time before now [s]");
   plot_->xAxis->setLabelPadding(1);
-  plot_->addLayer("curves", plot_->layer("main"), QCustomPlot::limAbove);
-  curves_layer_ = plot_->layer("curves");
-  curves_layer_->setMode(QCPLayer::lmBuffered);
   shade_ = plot_->addGraph();
   shade_->setLayer(curves_layer_);
   shade_->setPen(Qt::NoPen);
   setMinimumSize(160, 90);
-  set_span(span_);
+  set_view(view_);
   set_theme(theme_);
   connect(&data_, &DataStore::run_began, this, [this] {
     for (auto& curve : curves_) curve->bins.clear();
     saturation_.bins.clear();
-    frozen_.reset();
+    freeze({});
   });
 }
 
@@ -94,8 +105,20 @@ std::vector<std::string> TimePlot::curve_names() const {
 }
 
 void TimePlot::set_span(double seconds) {
-  span_ = seconds;
-  plot_->xAxis->setRange(-span_, 0.0);
+  TimeView view = view_;
+  view.span = seconds;
+  set_view(view);
+}
+
+void TimePlot::set_view(const TimeView& view) {
+  if (view.frozen != view_.frozen || view.shot != view_.shot) labelled_ = -1;
+  view_ = view;
+  const TimeWindow at = window();
+  const QCPRange range(at.begin - at.zero, at.end - at.zero);
+  const QString label = view.shot ? "time after the trigger [s]" : "time before now [s]";
+  if (plot_->xAxis->range() == range && plot_->xAxis->label() == label) return;
+  plot_->xAxis->setRange(range);
+  plot_->xAxis->setLabel(label);
   all_ = true;
 }
 
@@ -119,16 +142,8 @@ void TimePlot::set_saturation(const std::string& signal) {
 
 void TimePlot::set_theme(const Theme& theme) {
   theme_ = theme;
-  plot_->setBackground(theme.surface);
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setBasePen(QPen(theme.muted));
-    axis->setTickPen(QPen(theme.muted));
-    axis->setSubTickPen(QPen(theme.muted));
-    axis->setTickLabelColor(theme.text);
-    axis->setLabelColor(theme.text);
-    axis->grid()->setPen(QPen(theme.grid));
-    axis->grid()->setZeroLinePen(QPen(theme.muted));
-  }
+  set_plot_look(*plot_, theme);
+  marks_.set_theme(theme);
   for (std::size_t i = 0; i < curves_.size(); ++i) curves_[i]->graph->setPen(theme.curve(i));
   for (QCPItemStraightLine* line : caps_) line->setPen(QPen(theme.danger, 1, Qt::DashLine));
   QColor shade = theme.warning;
@@ -139,8 +154,9 @@ void TimePlot::set_theme(const Theme& theme) {
 }
 
 void TimePlot::freeze(std::optional<double> at) {
-  frozen_ = at;
-  labelled_ = -1;
+  TimeView view = view_;
+  view.frozen = at;
+  set_view(view);
 }
 
 void TimePlot::resizeEvent(QResizeEvent* event) {
@@ -149,17 +165,21 @@ void TimePlot::resizeEvent(QResizeEvent* event) {
 }
 
 void TimePlot::refresh() {
-  const double now = end();
+  const TimeWindow shown = window();
   Extremes extremes;
   for (auto& curve : curves_) {
-    draw(*curve, now);
-    extremes.add(curve->bins.extremes());
+    draw(*curve, shown);
+    const auto signal = data_.find(curve->signal);
+    const double scale = signal ? shown_scale(signal->info().unit) : 1.0;
+    extremes.add(scaled(curve->bins.extremes(), scale));
   }
+  if (const auto level = marks_.level()) extremes.add(*level);
   if (scale_.follow(extremes, data_.now())) {
     plot_->yAxis->setRange(scale_.lower(), scale_.upper());
     all_ = true;
   }
-  draw_saturation(now);
+  draw_saturation(shown);
+  marks_.show_events(data_, shown);
   label();
   if (all_)
     plot_->replot(QCustomPlot::rpImmediateRefresh);
@@ -168,17 +188,19 @@ void TimePlot::refresh() {
   all_ = false;
 }
 
-void TimePlot::draw(Curve& curve, double end) {
+void TimePlot::draw(Curve& curve, const TimeWindow& window) {
   const auto signal = data_.find(curve.signal);
   points_.clear();
   if (signal && !signal->track->empty()) {
-    curve.bins.show(*signal, end, span_, std::max(10, plot_->axisRect()->width()));
+    curve.bins.show(*signal, window.end, window.end - window.begin,
+                    std::max(10, plot_->axisRect()->width()));
+    const double scale = shown_scale(signal->info().unit);
     for (const BinnedCurve::Bin& bin : curve.bins.bins()) {
-      const double at = (static_cast<double>(bin.number) + 0.5) * curve.bins.width() - end;
+      const double at = (static_cast<double>(bin.number) + 0.5) * curve.bins.width() - window.zero;
       if (bin.after_gap || bin.extremes.empty()) points_.append({at, std::nan("")});
       if (bin.extremes.empty()) continue;
-      points_.append({at, bin.extremes.min});
-      if (bin.extremes.max > bin.extremes.min) points_.append({at, bin.extremes.max});
+      points_.append({at, scale * bin.extremes.min});
+      if (bin.extremes.max > bin.extremes.min) points_.append({at, scale * bin.extremes.max});
     }
   } else {
     curve.bins.clear();
@@ -186,14 +208,14 @@ void TimePlot::draw(Curve& curve, double end) {
   curve.graph->data()->set(points_, true);
 }
 
-void TimePlot::draw_saturation(double end) {
+void TimePlot::draw_saturation(const TimeWindow& window) {
   const auto signal = saturation_.signal.empty() ? std::nullopt : data_.find(saturation_.signal);
   points_.clear();
   if (signal && !signal->track->empty()) {
-    saturation_.bins.show(*signal, end, span_, 200);
+    saturation_.bins.show(*signal, window.end, window.end - window.begin, 200);
     const double top = plot_->yAxis->range().upper;
     for (const BinnedCurve::Bin& bin : saturation_.bins.bins()) {
-      const double at = static_cast<double>(bin.number) * saturation_.bins.width() - end;
+      const double at = static_cast<double>(bin.number) * saturation_.bins.width() - window.zero;
       const double height = bin.extremes.min < least_scale ? top : 0.0;
       points_.append({at, height});
       points_.append({at + saturation_.bins.width(), height});
@@ -213,6 +235,13 @@ QString TimePlot::common_name() const {
   }
   const std::size_t dot = common.rfind('.');
   return dot == std::string::npos ? "" : QString::fromStdString(common.substr(0, dot));
+}
+
+QString TimePlot::notice() const {
+  if (view_.shot) return QString("<b>TRIGGERED at %1 s</b>").arg(view_.shot->at, 0, 'f', 4);
+  if (!view_.frozen) return "";
+  return QString("<b>FROZEN, behind %1 s; the run goes on</b>")
+      .arg(data_.now() - *view_.frozen, 0, 'f', 1);
 }
 
 /// Names, colours, last values and units, a few times a second.
@@ -235,16 +264,12 @@ void TimePlot::label() {
       text += QString("<span style='color:%1'>no value</span>").arg(theme_.muted.name());
       continue;
     }
-    text += QString("<b>%1</b> %2")
-                .arg(QString::number(signal->last(), 'g', 4),
-                     QString::fromStdString(signal->info().unit).toHtmlEscaped());
-    const QString unit = QString::fromStdString(signal->info().unit);
-    if (!units.contains(unit)) units += (units.isEmpty() ? "" : ", ") + unit;
+    text +=
+        QString("<b>%1</b>").arg(shown_number(signal->last(), signal->info().unit).toHtmlEscaped());
+    const QString unit = shown_unit(signal->info().unit);
+    if (!unit.isEmpty() && !units.contains(unit)) units += (units.isEmpty() ? "" : ", ") + unit;
   }
-  if (frozen_)
-    text = QString("<b>FROZEN, behind %1 s; the run goes on</b>").arg(now - *frozen_, 0, 'f', 1) +
-           text;
-  legend_->setText(text);
+  legend_->setText(notice() + text);
   const QString axis = units.isEmpty() ? QString() : "[" + units + "]";
   if (axis == plot_->yAxis->label()) return;
   plot_->yAxis->setLabel(axis);

@@ -8,16 +8,19 @@
 #include <string>
 #include <vector>
 
+#include "gui/analysis/time_view.hpp"
 #include "gui/data/data_store.hpp"
 #include "gui/plots/autoscale.hpp"
 #include "gui/plots/binned_curve.hpp"
 #include "gui/plots/custom_plot.hpp"
+#include "gui/plots/plot_marks.hpp"
 #include "gui/theme/theme.hpp"
 
 namespace trocar::gui {
 
-/// Signals over the last seconds. The time axis tells how long ago, so that its ticks stay while
-/// the curves move: of a frame only the curves are drawn anew.
+/// Signals over the last seconds, or about a trigger. The time axis tells how long ago, so that its
+/// ticks stay while the curves move: of a frame only the curves are drawn anew. Values are shown in
+/// the units that people read: shown_unit().
 class TimePlot : public QWidget {
   Q_OBJECT
 
@@ -32,7 +35,11 @@ class TimePlot : public QWidget {
   std::vector<std::string> curve_names() const;
 
   void set_span(double seconds);
-  double span() const { return span_; }
+  double span() const { return view_.span; }
+  void set_view(const TimeView& view);
+  TimeWindow window() const { return view_.at(data_.now()); }
+  /// Lines across the plot.
+  PlotMarks& marks() { return marks_; }
   /// The axis always shows it, with a line, on both sides of 0.
   void set_cap(double value);
   /// Where that signal is below 1, the gate held back: that time is shaded.
@@ -41,13 +48,12 @@ class TimePlot : public QWidget {
 
   /// Stops the picture; the run and its recording go on. Nothing: it follows again.
   void freeze(std::optional<double> at);
-  bool frozen() const { return frozen_.has_value(); }
-  /// [s] of its right edge.
-  double end() const { return frozen_.value_or(data_.now()); }
+  bool frozen() const { return view_.frozen.has_value(); }
 
   /// Draws the newest.
   void refresh();
   QCustomPlot& canvas() { return *plot_; }
+  QString heading() const { return title_->text() + "&nbsp;&nbsp;" + legend_->text(); }
   /// Least and greatest of the value axis.
   QCPRange value_range() const { return plot_->yAxis->range(); }
 
@@ -61,11 +67,11 @@ class TimePlot : public QWidget {
     QCPGraph* graph = nullptr;
   };
   void resolve(Curve& curve);
-  void draw(Curve& curve, double end);
-  void draw_saturation(double end);
+  void draw(Curve& curve, const TimeWindow& window);
+  void draw_saturation(const TimeWindow& window);
   QString common_name() const;
+  QString notice() const;
   void label();
-  void redraw_all();
 
   DataStore& data_;
   QString name_;
@@ -73,14 +79,14 @@ class TimePlot : public QWidget {
   QLabel* legend_;
   QCustomPlot* plot_;
   QCPLayer* curves_layer_;
+  PlotMarks marks_;
   std::vector<std::unique_ptr<Curve>> curves_;
   Curve saturation_;
   QCPGraph* shade_ = nullptr;
   std::vector<QCPItemStraightLine*> caps_;
   Autoscale scale_;
   Theme theme_ = Theme::light();
-  double span_ = 10.0;
-  std::optional<double> frozen_;
+  TimeView view_;
   bool all_ = true;       // axes changed: more than the curves is to be drawn
   double labelled_ = -1;  // [s] when the legend was written
   QVector<QCPGraphData> points_;

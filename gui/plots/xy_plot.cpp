@@ -3,12 +3,16 @@
 
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "gui/data/shown_number.hpp"
+#include "gui/plots/plot_look.hpp"
 
 namespace trocar::gui {
 namespace {
 
-constexpr std::uint64_t most_points = 2000;
+constexpr std::uint64_t most_stretches = 500;
 
 }  // namespace
 
@@ -33,7 +37,7 @@ XyPlot::XyPlot(DataStore& store, QWidget* parent)
 
 void XyPlot::set_title(const QString& title) {
   name_ = title;
-  title_->setText("<b>" + title.toHtmlEscaped() + "</b>");
+  show_title();
   setAccessibleName(title);
 }
 
@@ -41,6 +45,7 @@ void XyPlot::set_signals(const std::string& x, const std::string& y) {
   x_ = x;
   y_ = y;
   x_scale_ = y_scale_ = {};
+  show_title();
 }
 
 void XyPlot::set_cap(double value) {
@@ -58,51 +63,79 @@ void XyPlot::set_cap(double value) {
 
 void XyPlot::set_theme(const Theme& theme) {
   theme_ = theme;
-  plot_->setBackground(theme.surface);
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setBasePen(QPen(theme.muted));
-    axis->setTickPen(QPen(theme.muted));
-    axis->setSubTickPen(QPen(theme.muted));
-    axis->setTickLabelColor(theme.text);
-    axis->setLabelColor(theme.text);
-    axis->grid()->setPen(QPen(theme.grid));
-    axis->grid()->setZeroLinePen(QPen(theme.muted));
-  }
+  set_plot_look(*plot_, theme);
   curve_->setPen(theme.curve(0));
   now_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, theme.danger, theme.danger, 7));
   for (QCPItemStraightLine* line : caps_) line->setPen(QPen(theme.danger, 1, Qt::DashLine));
 }
 
-QString XyPlot::axis_text(const std::string& signal) const {
+/// With its unit; where it would be cut off, the unit alone: the title has the name.
+QString XyPlot::axis_text(const std::string& signal, int room) const {
   const auto found = data_.find(signal);
-  return QString::fromStdString(signal) +
-         (found ? " [" + QString::fromStdString(found->info().unit) + "]" : QString());
+  const QString name = QString::fromStdString(signal);
+  const QString unit = found ? shown_unit(found->info().unit) : QString();
+  const QString shown = unit.isEmpty() ? QString() : "[" + unit + "]";
+  const QString whole = shown.isEmpty() ? name : name + " " + shown;
+  return QFontMetrics(plot_->yAxis->labelFont()).horizontalAdvance(whole) < room ? whole : shown;
+}
+
+void XyPlot::show_title() {
+  const QString what = !trouble_.isEmpty() ? trouble_
+                       : y_.empty()        ? QString()
+                                           : QString::fromStdString(y_ + " over " + x_);
+  title_->setText("<b>" + name_.toHtmlEscaped() + "</b>&nbsp;&nbsp;" + what.toHtmlEscaped());
+}
+
+/// Of some hundred stretches of rows each the first, and those with the extremes of either signal:
+/// what lasted one tick is seen.
+bool XyPlot::take_points(const SignalRef& x, const SignalRef& y) {
+  const TimeWindow window = view_.at(data_.now());
+  const Track& track = *x.track;
+  const std::uint64_t begin = track.at(window.begin);
+  const std::uint64_t end = track.at(std::nextafter(window.end, 1e300));
+  const std::uint64_t step = std::max<std::uint64_t>(1, (end - begin) / most_stretches);
+  const double x_scale = shown_scale(x.info().unit), y_scale = shown_scale(y.info().unit);
+  for (std::uint64_t first = begin; first < end; first += step) {
+    const std::uint64_t last = std::min(end, first + step);
+    std::array<std::uint64_t, 5> rows = {first, first, first, first, first};
+    for (std::uint64_t row = first; row < last; ++row) {
+      if (x.column()[row] < x.column()[rows[1]]) rows[1] = row;
+      if (x.column()[row] > x.column()[rows[2]]) rows[2] = row;
+      if (y.column()[row] < y.column()[rows[3]]) rows[3] = row;
+      if (y.column()[row] > y.column()[rows[4]]) rows[4] = row;
+    }
+    std::sort(rows.begin(), rows.end());
+    const auto distinct = std::unique(rows.begin(), rows.end());
+    for (auto row = rows.begin(); row != distinct; ++row) {
+      const double px = x_scale * x.column()[*row], py = y_scale * y.column()[*row];
+      points_.append({static_cast<double>(*row), px, py});
+      xs_.add(px);
+      ys_.add(py);
+    }
+  }
+  return !points_.empty();
 }
 
 void XyPlot::refresh() {
   const auto x = data_.find(x_), y = data_.find(y_);
-  QVector<QCPCurveData> points;
-  QVector<QCPGraphData> last;
-  Extremes xs, ys;
-  if (x && y && x->track == y->track && !x->track->empty()) {
-    const double now = frozen_.value_or(data_.now());
-    const std::uint64_t begin = x->track->at(now - span_);
-    const std::uint64_t end = x->track->at(std::nextafter(now, 1e300));
-    const std::uint64_t step = std::max<std::uint64_t>(1, (end - begin) / most_points);
-    for (std::uint64_t row = begin; row < end; row += step) {
-      const double px = x->column()[row], py = y->column()[row];
-      points.append({static_cast<double>(row), px, py});
-      xs.add(px);
-      ys.add(py);
-    }
-    if (!points.empty()) last.append({points.back().key, points.back().value});
+  points_.clear();
+  xs_ = ys_ = {};
+  QVector<QCPGraphData> newest;
+  QString trouble;
+  if (x && y && x->track != y->track)
+    trouble = "these are of two threads, whose rows do not belong together";
+  else if (x && y && take_points(*x, *y))
+    newest.append({points_.back().key, points_.back().value});
+  if (trouble != trouble_) {
+    trouble_ = trouble;
+    show_title();
   }
-  curve_->data()->set(points, true);
-  now_->data()->set(last, true);
-  if (x_scale_.follow(xs, data_.now())) plot_->xAxis->setRange(x_scale_.lower(), x_scale_.upper());
-  if (y_scale_.follow(ys, data_.now())) plot_->yAxis->setRange(y_scale_.lower(), y_scale_.upper());
-  plot_->xAxis->setLabel(axis_text(x_));
-  plot_->yAxis->setLabel(axis_text(y_));
+  curve_->data()->set(points_, true);
+  now_->data()->set(newest, true);
+  if (x_scale_.follow(xs_, data_.now())) plot_->xAxis->setRange(x_scale_.lower(), x_scale_.upper());
+  if (y_scale_.follow(ys_, data_.now())) plot_->yAxis->setRange(y_scale_.lower(), y_scale_.upper());
+  plot_->xAxis->setLabel(axis_text(x_, plot_->axisRect()->width()));
+  plot_->yAxis->setLabel(axis_text(y_, plot_->axisRect()->height()));
   plot_->replot(QCustomPlot::rpImmediateRefresh);
 }
 

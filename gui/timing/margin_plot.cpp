@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gui/timing/plot_look.hpp"
+#include "gui/plots/plot_look.hpp"
 
 namespace trocar::gui {
 

@@ -9,8 +9,6 @@
 #include <QVBoxLayout>
 
 #include "gui/pages/alarms_page.hpp"
-#include "gui/plots/time_plot.hpp"
-#include "gui/plots/xy_plot.hpp"
 #include "gui/window/state_look.hpp"
 
 namespace trocar::gui {
@@ -35,10 +33,7 @@ MainWindow::MainWindow(Operator& operators, const QString& subject)
   add_keys();
   qApp->installEventFilter(this);
   connect(tabs_, &QTabBar::currentChanged, stack_, &QStackedWidget::setCurrentIndex);
-  connect(&operator_.sources().data, &DataStore::run_began, this, [this] {
-    frozen_at_.reset();
-    freeze_plots();
-  });
+  connect(&operator_.sources().data, &DataStore::run_began, this, [this] { freeze({}); });
   connect(&timer_, &QTimer::timeout, this, &MainWindow::refresh);
   timer_.start(frame_interval_ms);
   set_theme(theme_);
@@ -105,6 +100,8 @@ void MainWindow::add_page(Page* page) {
   tabs_->setTabToolTip(number, page->shortcut().toString());
   pages_.push_back(page);
   page->set_theme(theme_);
+  page->freeze(frozen_at_);
+  connect(page, &Page::freeze_wanted, this, &MainWindow::freeze);
   add_key(page->shortcut(), page->title(), [this, number] { show_page(number); });
   veil_->raise();
 }
@@ -166,14 +163,13 @@ void MainWindow::refresh_marks() {
 }
 
 void MainWindow::toggle_freeze() {
-  frozen_at_ = frozen() ? std::nullopt : std::optional<double>(operator_.sources().data.now());
-  freeze_plots();
+  freeze(frozen() ? std::nullopt : std::optional<double>(operator_.sources().data.now()));
   refresh();
 }
 
-void MainWindow::freeze_plots() {
-  for (auto* plot : findChildren<TimePlot*>()) plot->freeze(frozen_at_);
-  for (auto* plot : findChildren<XyPlot*>()) plot->freeze(frozen_at_);
+void MainWindow::freeze(std::optional<double> at) {
+  frozen_at_ = at;
+  for (Page* page : pages_) page->freeze(at);
 }
 
 void MainWindow::paintEvent(QPaintEvent*) {

@@ -47,6 +47,7 @@ class MainWindow : public QMainWindow {
   void show_shortcuts();
   /// Stops all plots, or lets them follow again. The run and its recording go on.
   void toggle_freeze();
+  void freeze(std::optional<double> at);  // [s] of what is shown; none: they follow
   bool frozen() const { return frozen_at_.has_value(); }
   StateStrip& state_strip() { return *state_; }
 
@@ -61,7 +62,6 @@ class MainWindow : public QMainWindow {
  private:
   void build();
   void add_keys();
-  void freeze_plots();
   void refresh_marks();
 
   Operator& operator_;

@@ -4,6 +4,7 @@
 #include <QKeySequence>
 #include <QString>
 #include <QWidget>
+#include <optional>
 
 #include "gui/data/data_store.hpp"
 #include "gui/data/live_feed.hpp"
@@ -34,6 +35,12 @@ class Page : public QWidget {
   /// Shows the newest: called some 30 times a second while it is seen, and not otherwise.
   virtual void refresh() = 0;
   virtual void set_theme(const Theme& theme) = 0;
+  /// The pictures stop at that time [s], or follow again; what is not over time goes on.
+  virtual void freeze(std::optional<double>) {}
+
+ Q_SIGNALS:
+  /// Of the whole window.
+  void freeze_wanted(std::optional<double> at);
 };
 
 }  // namespace trocar::gui

@@ -6,6 +6,7 @@
 #include "gui/pages/graph_page.hpp"
 #include "gui/pages/operate_page.hpp"
 #include "gui/pages/parameters_page.hpp"
+#include "gui/pages/plots_page.hpp"
 #include "gui/pages/scripts_page.hpp"
 #include "gui/pages/timing_page.hpp"
 
@@ -13,6 +14,7 @@ namespace trocar::gui {
 
 void add_pages(MainWindow& window, Operator& operators) {
   window.add_page(new OperatePage(operators));
+  window.add_page(new PlotsPage(operators));
   window.add_page(new ParametersPage(operators));
   window.add_page(new AlarmsPage(operators));
   window.add_page(new ScriptsPage(operators));

@@ -12,7 +12,8 @@
 
 namespace trocar::test {
 
-/// A thread's rows made by hand: the head, then numbers in newtons.
+/// A thread's rows made by hand: the head, then numbers in newtons. Names with dots are of nested
+/// messages, and those of one stand together.
 class TrackRig {
  public:
   explicit TrackRig(std::vector<std::string> names, double seconds = 60.0,
@@ -23,8 +24,10 @@ class TrackRig {
                                      {"lateness", "int64", 0, "[ns]"},
                                      {"duration", "int64", 0, "[ns]"},
                                      {"flags", "int64", 0, {}}};
-    for (const std::string& name : names_) fields.push_back({name, "float64", 0, "[N]"});
-    schema_ = ros2_schema_text({{"trocar/Row", fields, {}}});
+    std::vector<Ros2Message> messages(1);
+    for (Ros2Field& field : nest(names_, "trocar/Part", messages)) fields.push_back(field);
+    messages.front() = {"trocar/Row", fields, {}};
+    schema_ = ros2_schema_text(messages);
     begin(seconds, memory);
   }
 
@@ -57,6 +60,28 @@ class TrackRig {
   gui::Track* track = nullptr;
 
  private:
+  static std::vector<Ros2Field> nest(const std::vector<std::string>& names, const std::string& type,
+                                     std::vector<Ros2Message>& messages) {
+    std::vector<Ros2Field> fields;
+    for (std::size_t i = 0; i < names.size();) {
+      const std::size_t dot = names[i].find('.');
+      if (dot == std::string::npos) {
+        fields.push_back({names[i++], "float64", 0, "[N]"});
+        continue;
+      }
+      const std::string head = names[i].substr(0, dot + 1);
+      std::vector<std::string> below;
+      for (; i < names.size() && names[i].starts_with(head); ++i)
+        below.push_back(names[i].substr(head.size()));
+      const std::string name = head.substr(0, dot);
+      const std::string its_type = type + std::to_string(fields.size());
+      const std::vector<Ros2Field> its_fields = nest(below, its_type, messages);
+      messages.push_back({its_type, its_fields, {}});
+      fields.push_back({name, its_type, 0, {}});
+    }
+    return fields;
+  }
+
   std::vector<std::string> names_;
   std::string schema_;
 };

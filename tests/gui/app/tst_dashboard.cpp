@@ -127,8 +127,10 @@ class TestDashboard : public QObject {
     Demo demo(TROCAR_SOURCE_DIR "/scripts/tutorial/05_first_fixture.lua");
     QVERIFY(demo.is_seen());
     MainWindow& window = demo.dashboard.window();
-    window.show_page(3);
     auto* page = window.findChild<ScriptsPage*>();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    QTest::keyClick(&window, Qt::Key_5, Qt::ControlModifier);
+    QCOMPARE(window.page(), page);
     const QAbstractItemModel* laws = page->findChild<QTableView*>("script_table")->model();
     QVERIFY(demo.wait([&] { return laws->rowCount() == 1; }));
     QCOMPARE(laws->index(0, ScriptModel::component).data(), QVariant("groove"));
@@ -159,7 +161,9 @@ class TestDashboard : public QObject {
     QTest::newRow("no size") << QStringList{"--size", "12"} << 2 << "\"12\" is no size";
     QTest::newRow("no page") << QStringList{wall, "--page", "Nothing"} << 2
                              << "there is no page \"Nothing\": there are Operate, ";
-    QTest::newRow("pages") << QStringList{"--list-pages"} << 0 << "Operate\nParameters\n";
+    QTest::newRow("pages") << QStringList{"--list-pages"} << 0 << "Operate\nPlots\nParameters\n";
+    QTest::newRow("a layout that is none")
+        << QStringList{wall, "--layout", wall} << 2 << "01_feel_a_wall.lua: the layout is no JSON";
     QTest::newRow("two subjects") << QStringList{wall, "--connect", "ws://x:1"} << 2 << "excludes";
     QTest::newRow("a log that is none")
         << QStringList{"--open", wall, "--screenshot", "x.png"} << 1 << "trocar-dashboard: ";

@@ -132,15 +132,15 @@ class TestPlots : public QObject {
     rig.feed(0, 5000, 1000, wave);
     plot.refresh();
     plot.freeze(rig.store.now());
-    const double end = plot.end();
+    const double end = plot.window().end;
     rig.feed(5000, 9200, 1000, wave);
     plot.refresh();
-    QCOMPARE(plot.end(), end);
+    QCOMPARE(plot.window().end, end);
     QStringList said;
     for (const QLabel* label : plot.findChildren<QLabel*>()) said << label->text();
     QVERIFY2(said.join(" ").contains("behind 4.2 s"), qPrintable(said.join(" ")));
     plot.freeze({});
-    QCOMPARE(plot.end(), rig.store.now());
+    QCOMPARE(plot.window().end, rig.store.now());
   }
 
   void the_cap_is_always_in_sight() {

@@ -61,8 +61,9 @@ bool is_interactive(const QWidget& widget) {
 
 /// What Qt makes within other widgets: their own name and key are the others'.
 bool is_part(const QWidget& widget) {
-  return widget.objectName().startsWith("qt_") || widget.inherits("QHeaderView") ||
-         widget.inherits("QScrollBar") || widget.inherits("QTableCornerButton") ||
+  return widget.objectName().startsWith("qt_") || widget.inherits("QComboBoxListView") ||
+         widget.inherits("QHeaderView") || widget.inherits("QScrollBar") ||
+         widget.inherits("QTableCornerButton") ||
          qobject_cast<const QAbstractSpinBox*>(widget.parentWidget()) != nullptr ||
          qobject_cast<const QTabBar*>(widget.parentWidget()) != nullptr ||
          qobject_cast<const QLineEdit*>(widget.parentWidget()) != nullptr;
@@ -92,7 +93,7 @@ class TestWindow : public QObject {
     QWidget* focus = &window;
     QMessageBox box(&window);
     if (from == "a line that is typed in") {
-      window.show_page(2);
+      window.show_page(3);
       focus = window.findChild<QLineEdit*>("annotation");
     }
     if (from == "another page") window.show_page(1);
