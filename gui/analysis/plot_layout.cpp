@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int version = 1;
+constexpr int layout_version = 1;
 constexpr const char* head = "trocar_layout";
 constexpr std::array kind_names = {"time", "xy"};
 
@@ -137,7 +137,7 @@ Json json_of(const TriggerSettings& trigger) {
 }  // namespace
 
 QByteArray layout_text(const PlotLayout& layout) {
-  Json json = {{head, version}, {"span", layout.span}, {"events", layout.events}};
+  Json json = {{head, layout_version}, {"span", layout.span}, {"events", layout.events}};
   if (layout.cursors) json["cursors"] = *layout.cursors;
   if (layout.trigger) json["trigger"] = json_of(*layout.trigger);
   json["plots"] = Json::array();
@@ -154,10 +154,10 @@ PlotLayout read_layout(const QByteArray& text) {
   }
   Members members(json, "the layout");
   const Json* given = members.find(head);
-  if (given == nullptr) members.fail(fmt::format("has no \"{}\": {}", head, version));
-  if (*given != version)
+  if (given == nullptr) members.fail(fmt::format("has no \"{}\": {}", head, layout_version));
+  if (*given != layout_version)
     members.fail(
-        fmt::format("is of version {}, and this program reads {}", given->dump(), version));
+        fmt::format("is of version {}, and this program reads {}", given->dump(), layout_version));
   PlotLayout layout;
   layout.span = members.number("span", layout.span, least_span, greatest_span);
   layout.events = members.flag("events", layout.events);

@@ -22,14 +22,14 @@ RangeStatistics statistics_of(const SignalRef& signal, double from, double to) {
   Extremes extremes;
   // About the first sample, so that a large offset does not take the deviation's digits.
   double offset = 0.0, sum = 0.0, squares = 0.0;
-  for (std::uint64_t row = begin; row < end; ++row) {
-    const double value = column[row];
-    if (!std::isfinite(value)) continue;
-    if (result.count++ == 0) offset = value;
-    extremes.add(value);
-    sum += value - offset;
-    squares += (value - offset) * (value - offset);
-  }
+  for (const std::span<const double> piece : column.pieces(begin, end))
+    for (const double value : piece) {
+      if (!std::isfinite(value)) continue;
+      if (result.count++ == 0) offset = value;
+      extremes.add(value);
+      sum += value - offset;
+      squares += (value - offset) * (value - offset);
+    }
   if (result.count == 0) return result;
   const auto n = static_cast<double>(result.count);
   const double shift = sum / n;

@@ -16,6 +16,12 @@ bool has_display() {
   return false;
 }
 
+/// Qt's platform without a display complains of what no picture needs.
+void say(QtMsgType, const QMessageLogContext&, const QString& message) {
+  if (!message.contains("propagateSizeHints") && !message.contains("XDG_RUNTIME_DIR"))
+    std::fprintf(stderr, "%s\n", qPrintable(message));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -30,7 +36,10 @@ int main(int argc, char** argv) {
     return parser.exit(error) == 0 ? 0 : 2;
   }
   if (figure.is_asked_for()) return figure.run();
-  if (!options.screenshot.empty() || options.list_pages) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (!options.screenshot.empty() || options.list_pages) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler(say);
+  }
   if (!has_display()) {
     std::fputs(
         "trocar-dashboard: there is no display. --screenshot FILE.png needs none, and `trocar "

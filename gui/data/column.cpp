@@ -18,15 +18,33 @@ void Column::add(double value) {
   if (end_ < capacity_)
     values_.push_back(value);
   else
-    values_[end_ % capacity_] = value;
-  for (std::size_t level = 0; level < steps.size(); ++level) {
-    std::vector<Extremes>& list = levels_[level];
-    const std::size_t at = (end_ % capacity_) / steps[level];
-    if (at == list.size()) list.emplace_back();
-    if (end_ % steps[level] == 0) list[at] = {};
-    list[at].add(value);
-  }
+    values_[place_] = value;
+  block_of(0, end_ % steps[0] == 0).add(value);
   ++end_;
+  // Only whole blocks are ever looked up, so that each level waits for those of the one below.
+  for (std::size_t level = 1; level < steps.size() && end_ % steps[level - 1] == 0; ++level)
+    block_of(level, (end_ - steps[level - 1]) % steps[level] == 0)
+        .add(levels_[level - 1][place_ >> shifts[level - 1]]);
+  if (++place_ == capacity_) place_ = 0;
+}
+
+/// That the newest sample is in.
+Extremes& Column::block_of(std::size_t level, bool begins) {
+  std::vector<Extremes>& list = levels_[level];
+  const std::size_t at = place_ >> shifts[level];
+  if (at == list.size()) list.emplace_back();
+  if (begins) list[at] = {};
+  return list[at];
+}
+
+std::array<std::span<const double>, 2> Column::pieces(std::uint64_t from, std::uint64_t to) const {
+  from = std::max(from, first());
+  to = std::min(to, end_);
+  if (from >= to) return {};
+  const std::size_t begin = from % capacity_, count = to - from;
+  const std::size_t until_wrap = std::min(count, values_.size() - begin);
+  return {std::span(values_).subspan(begin, until_wrap),
+          std::span(values_).first(count - until_wrap)};
 }
 
 Extremes Column::extremes(std::uint64_t from, std::uint64_t to) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gui/data/extremes.hpp"
@@ -28,14 +29,21 @@ class Column {
 
   /// @param n from first() to before end()
   double operator[](std::uint64_t n) const { return values_[n % capacity_]; }
+  /// Those from `from` to before `to` as they lie in memory, in at most two pieces; what is not
+  /// there any more is left out.
+  std::array<std::span<const double>, 2> pieces(std::uint64_t from, std::uint64_t to) const;
   /// Of the samples from `from` to before `to`; what is not there any more does not count.
   Extremes extremes(std::uint64_t from, std::uint64_t to) const;
 
  private:
+  Extremes& block_of(std::size_t level, bool begins);
+
+  static constexpr std::array<std::size_t, 3> shifts = {4, 8, 12};
   static constexpr std::array<std::size_t, 3> steps = {16, 256, 4096};
 
   std::size_t capacity_;
   std::uint64_t end_ = 0;
+  std::size_t place_ = 0;  // of the next in values_
   std::vector<double> values_;
   std::array<std::vector<Extremes>, 3> levels_;
 };

@@ -7,12 +7,6 @@
 namespace trocar::gui {
 namespace {
 
-QVector<double> in_mm(const std::vector<double>& metres) {
-  QVector<double> list;
-  for (const double value : metres) list.push_back(1e3 * value);
-  return list;
-}
-
 void draw(FigureSheet& sheet, QCPAxisRect& panel, const ChirpTracking& chirp,
           const std::vector<double>& values, std::size_t number, const QString& name) {
   QCPGraph& graph = sheet.add_curve(panel);

@@ -10,14 +10,6 @@
 namespace trocar::gui {
 namespace {
 
-constexpr double mm = 1e3;  // in a metre
-
-QVector<double> in_mm(const std::vector<double>& metres) {
-  QVector<double> list;
-  for (const double value : metres) list.push_back(mm * value);
-  return list;
-}
-
 QVector<double> list_of(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }

@@ -10,8 +10,6 @@
 namespace trocar::gui {
 namespace {
 
-constexpr double mm = 1e3;  // in a metre
-
 QCPColorGradient greys() {
   QCPColorGradient gradient;
   gradient.clearColorStops();

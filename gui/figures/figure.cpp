@@ -19,4 +19,10 @@ const std::vector<FigureKind>& figure_kinds() {
   return kinds;
 }
 
+QVector<double> in_mm(const std::vector<double>& metres) {
+  QVector<double> list;
+  for (const double value : metres) list.push_back(mm * value);
+  return list;
+}
+
 }  // namespace trocar::gui

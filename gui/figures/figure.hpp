@@ -35,6 +35,9 @@ struct FigureKind {
 
 const std::vector<FigureKind>& figure_kinds();
 
+inline constexpr double mm = 1e3;  // in a metre
+QVector<double> in_mm(const std::vector<double>& metres);
+
 DrawnFigure draw_force_deflection(const ResultFile& file, const FigureOptions& options);
 DrawnFigure draw_chirp(const ResultFile& file, const FigureOptions& options);
 DrawnFigure draw_workspace(const ResultFile& file, const FigureOptions& options);

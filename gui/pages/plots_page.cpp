@@ -16,8 +16,7 @@
 namespace trocar::gui {
 namespace {
 
-constexpr int show_every_ms = 200;  // numbers that people have to read
-constexpr double near_now = 1e-3;   // of the span: is the right end
+constexpr double near_now = 1e-3;  // of the span: is the right end
 constexpr int scrub_steps = 10'000;
 constexpr int table_rows = 5;  // without scrolling
 

@@ -9,7 +9,6 @@
 namespace trocar::gui {
 namespace {
 
-constexpr int show_every_ms = 200;
 constexpr int worst_column = 4;  // of a component
 
 }  // namespace

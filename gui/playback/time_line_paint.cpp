@@ -4,19 +4,12 @@
 #include <cmath>
 
 #include "gui/playback/time_line.hpp"
+#include "gui/plots/round_step.hpp"
 
 namespace trocar::gui {
 namespace {
 
 constexpr double side = 12.0, top = 14.0, thick = 10.0;  // of the bar [px]
-
-/// 1, 2 or 5 times a power of ten, at least `least`.
-double round_step(double least) {
-  const double power = std::pow(10.0, std::floor(std::log10(std::max(least, 1e-9))));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least) return factor * power;
-  return 10.0 * power;
-}
 
 }  // namespace
 

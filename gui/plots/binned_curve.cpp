@@ -4,18 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/plots/round_step.hpp"
+
 namespace trocar::gui {
-namespace {
-
-/// 1, 2 or 5 times a power of ten: a picture that is drawn a pixel wider keeps its bins.
-double round_width(double width) {
-  const double power = std::pow(10.0, std::floor(std::log10(width)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (width <= step * power * (1 + 1e-9)) return step * power;
-  return 10.0 * power;
-}
-
-}  // namespace
 
 void BinnedCurve::clear() {
   track_ = nullptr;
@@ -23,7 +14,8 @@ void BinnedCurve::clear() {
 }
 
 void BinnedCurve::show(const SignalRef& signal, double end, double span, int bins) {
-  const double width = round_width(span / std::max(bins, 1));
+  // A picture that is drawn a pixel wider keeps its bins.
+  const double width = round_step(span / std::max(bins, 1));
   const auto first = static_cast<std::int64_t>(std::floor((end - span) / width));
   const auto last = static_cast<std::int64_t>(std::floor(end / width));
   const Track& track = *signal.track;

@@ -98,11 +98,15 @@ bool XyPlot::take_points(const SignalRef& x, const SignalRef& y) {
   for (std::uint64_t first = begin; first < end; first += step) {
     const std::uint64_t last = std::min(end, first + step);
     std::array<std::uint64_t, 5> rows = {first, first, first, first, first};
+    Extremes xs, ys;
     for (std::uint64_t row = first; row < last; ++row) {
-      if (x.column()[row] < x.column()[rows[1]]) rows[1] = row;
-      if (x.column()[row] > x.column()[rows[2]]) rows[2] = row;
-      if (y.column()[row] < y.column()[rows[3]]) rows[3] = row;
-      if (y.column()[row] > y.column()[rows[4]]) rows[4] = row;
+      const double px = x.column()[row], py = y.column()[row];
+      if (px < xs.min) rows[1] = row;
+      if (px > xs.max) rows[2] = row;
+      if (py < ys.min) rows[3] = row;
+      if (py > ys.max) rows[4] = row;
+      xs.add(px);
+      ys.add(py);
     }
     std::sort(rows.begin(), rows.end());
     const auto distinct = std::unique(rows.begin(), rows.end());

@@ -23,6 +23,9 @@ struct Sources {
   LogFeed* log = nullptr;  // that is played
 };
 
+/// Between numbers that people have to read.
+inline constexpr int show_every_ms = 200;
+
 /// A sheet of the window. It has models without widgets beneath it, and shows them.
 class Page : public QWidget {
   Q_OBJECT

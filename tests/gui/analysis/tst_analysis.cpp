@@ -20,7 +20,7 @@ using namespace trocar::gui;
 using trocar::test::TrackRig;
 
 using When = TriggerSettings::When;
-using Mode = TriggerSettings::Mode;
+using TriggerMode = TriggerSettings::Mode;
 using Steps = QList<double>;
 
 namespace {
@@ -84,7 +84,7 @@ class TestAnalysis : public QObject {
     Trigger trigger;
     trigger.arm(rig.store, {.signal = "force",
                             .when = when,
-                            .mode = Mode::single,
+                            .mode = TriggerMode::single,
                             .level = 1.0,
                             .hysteresis = hysteresis,
                             .before = 0.1,
@@ -135,15 +135,15 @@ class TestAnalysis : public QObject {
   }
 
   void modes_differ_in_what_follows_a_shot_data() {
-    QTest::addColumn<Mode>("mode");
+    QTest::addColumn<TriggerMode>("mode");
     QTest::addColumn<double>("second");  // [s] of what is shown after a second spike, −1: nothing
     QTest::addColumn<double>("later");   // and long after it
-    QTest::newRow("single") << Mode::single << 0.5 << 0.5;
-    QTest::newRow("normal") << Mode::normal << 1.5 << 1.5;
-    QTest::newRow("auto") << Mode::automatic << 1.5 << -1.0;
+    QTest::newRow("single") << TriggerMode::single << 0.5 << 0.5;
+    QTest::newRow("normal") << TriggerMode::normal << 1.5 << 1.5;
+    QTest::newRow("auto") << TriggerMode::automatic << 1.5 << -1.0;
   }
   void modes_differ_in_what_follows_a_shot() {
-    QFETCH(Mode, mode);
+    QFETCH(TriggerMode, mode);
     QFETCH(double, second);
     QFETCH(double, later);
     TrackRig rig({"force"});
@@ -170,7 +170,7 @@ class TestAnalysis : public QObject {
     QCOMPARE(shown(), second);
     go_to(9000);
     QCOMPARE(shown(), later);
-    QCOMPARE(trigger.count(), std::uint64_t(mode == Mode::single ? 1 : 2));
+    QCOMPARE(trigger.count(), std::uint64_t(mode == TriggerMode::single ? 1 : 2));
   }
 
   void only_what_comes_after_arming_triggers() {
@@ -324,10 +324,10 @@ class TestAnalysis : public QObject {
     }
     const QTemporaryDir folder;
     const QString path = folder.filePath("x.csv");
-    QVERIFY_EXCEPTION_THROWN(write_csv(path, rig.store, {"gone"}, 0, 1), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, write_csv(path, rig.store, {"gone"}, 0, 1));
     QVERIFY(!QFile::exists(path));
-    QVERIFY_EXCEPTION_THROWN(write_csv("/nowhere/x.csv", rig.store, {"a"}, 0, 1),
-                             std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error,
+                             write_csv("/nowhere/x.csv", rig.store, {"a"}, 0, 1));
     write_csv(path, rig.store, {"a"}, 0, 1);
     QVERIFY(QFile::exists(path));
   }
@@ -340,7 +340,7 @@ class TestAnalysis : public QObject {
     layout.cursors = {-1.5, -0.25};
     layout.trigger = TriggerSettings{.signal = "wall.force.z",
                                      .when = When::falls,
-                                     .mode = Mode::single,
+                                     .mode = TriggerMode::single,
                                      .level = -1.25,
                                      .hysteresis = 0.1,
                                      .before = 0.0,
@@ -406,8 +406,8 @@ class TestAnalysis : public QObject {
     } catch (const std::invalid_argument& error) {
       QVERIFY2(QString(error.what()).startsWith(path + ": the layout has no"), error.what());
     }
-    QVERIFY_EXCEPTION_THROWN(read_layout_file(folder.filePath("none.json")), std::runtime_error);
-    QVERIFY_EXCEPTION_THROWN(write_layout_file("/nowhere/a.json", layout), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, read_layout_file(folder.filePath("none.json")));
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, write_layout_file("/nowhere/a.json", layout));
   }
 };
 

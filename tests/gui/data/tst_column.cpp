@@ -38,6 +38,20 @@ class TestColumn : public QObject {
     for (std::uint64_t n = column.first(); n < count; ++n) QCOMPARE(column[n], sample(n));
   }
 
+  void pieces_of_any_range_are_its_samples() {
+    Column column(2 * Column::block);
+    for (int i = 0; i < 11'000; ++i) column.add(i);
+    for (const auto& [from, to] : std::vector<std::pair<std::uint64_t, std::uint64_t>>{
+             {5000, 6000}, {8000, 9000}, {4096, 11'000}, {0, 20'000}, {9000, 9000}, {0, 10}}) {
+      std::vector<double> samples, expected;
+      for (const auto piece : column.pieces(from, to))
+        samples.insert(samples.end(), piece.begin(), piece.end());
+      for (std::uint64_t n = std::max(from, column.first()); n < std::min(to, column.end()); ++n)
+        expected.push_back(column[n]);
+      QCOMPARE(samples, expected);
+    }
+  }
+
   void extremes_of_any_range_are_those_of_its_samples() {
     Column column(9'000);
     std::mt19937 random(7);

@@ -346,9 +346,9 @@ class TestPlotsPage : public QObject {
     QVERIFY(png.width() > 2000);
     QCOMPARE(png.pixelColor(2, png.height() - 2), QColor(Qt::white));
     QVERIFY(trocar::test::colours_in(png) > 20);
-    QVERIFY_EXCEPTION_THROWN(looking.page->export_picture(folder.filePath("a.bmp")),
-                             std::invalid_argument);
-    QVERIFY_EXCEPTION_THROWN(looking.page->export_picture("/nowhere/a.png"), std::runtime_error);
+    QVERIFY_THROWS_EXCEPTION(std::invalid_argument,
+                             looking.page->export_picture(folder.filePath("a.bmp")));
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, looking.page->export_picture("/nowhere/a.png"));
     // The window keeps its own colours.
     QCOMPARE(looking.pane(1).canvas().xAxis->labelColor(), Theme::dark_one().text);
   }
