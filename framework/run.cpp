@@ -228,6 +228,9 @@ RunResult run(const Graph& graph, const RunOptions& options) {
             control.reload(to_come.front().issued);
             to_come.pop_front();
           }
+          if (options.reader_failed)
+            for (const ReaderFailure& failure : pump.take_failures())
+              options.reader_failed(failure);
           return options.operator_input && options.operator_input(control);
         },
         std::chrono::milliseconds(5));

@@ -39,6 +39,8 @@ struct RunOptions {
   /// In real time, called some hundred times a second on a thread of its own, for somebody who
   /// watches and intervenes. @return whether there was something to do
   std::function<bool(RunControl&)> operator_input{};
+  /// From the same thread: a reader of rows was given up, and the run goes on.
+  std::function<void(const ReaderFailure&)> reader_failed{};
   bool engage = true;               // ask to render as soon as it is safe
   bool keep_rows = false;           // for an experiment to compute with
   std::vector<std::string> keep{};  // signals, ports or components of which; all when empty

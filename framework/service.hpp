@@ -41,6 +41,8 @@ class Service {
   /// In real time, some hundred times a second while a run lasts, always from one thread:
   /// what was asked from elsewhere. @return whether there was something to do
   virtual bool operate(RunControl& control) = 0;
+  /// In real time, from the same thread: the session's log takes no more rows, and the run goes on.
+  virtual void recording_failed(const std::string& /*why*/) {}
 };
 
 /// What is known of a service without starting one.

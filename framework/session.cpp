@@ -118,6 +118,10 @@ void Session::add_services(RunOptions& wanted) const {
   for (Service* service : options_.services) wanted.sinks.push_back(&service->rows());
   wanted.operator_input = options_.operator_input;
   if (options_.services.empty()) return;
+  wanted.reader_failed = [this](const ReaderFailure& failure) {
+    if (failure.reader != Recorder::name) return;
+    for (Service* service : options_.services) service->recording_failed(failure.why);
+  };
   wanted.operator_input = [this](RunControl& control) {
     bool found = options_.operator_input && options_.operator_input(control);
     for (Service* service : options_.services) found = service->operate(control) || found;

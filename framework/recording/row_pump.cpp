@@ -30,8 +30,8 @@ std::size_t ring_capacity(const RowLayout& layout, double period, bool lossless)
 class RowPump::Feed {
  public:
   Feed(std::deque<BroadcastRing>& rings, RowSink& sink, const std::vector<RowLayout>& layouts,
-       const WiredGraph& graph, bool lossless)
-      : sink_(sink) {
+       const WiredGraph& graph, bool lossless, Mailbox<ReaderFailure>& failures)
+      : sink_(sink), failures_(failures) {
     for (BroadcastRing& ring : rings)
       cursors_.emplace_back(
           ring, BroadcastRing::Cursor::Start::now,
@@ -97,9 +97,11 @@ class RowPump::Feed {
       failure_ = "a reader of rows failed and did not say why";
     }
     for (BroadcastRing::Cursor& cursor : cursors_) cursor.abandon();
+    failures_.put({std::string(sink_.reader_name()), failure_});
   }
 
   RowSink& sink_;
+  Mailbox<ReaderFailure>& failures_;
   std::deque<BroadcastRing::Cursor> cursors_;  // one for each ring
   std::string failure_;
   ReaderLoss loss_;
@@ -109,7 +111,7 @@ class RowPump::Feed {
 RowPump::RowPump(std::deque<BroadcastRing>& rings, const std::vector<RowSink*>& sinks,
                  const std::vector<RowLayout>& layouts, const WiredGraph& graph, bool lossless) {
   for (RowSink* sink : sinks)
-    feeds_.push_back(std::make_unique<Feed>(rings, *sink, layouts, graph, lossless));
+    feeds_.push_back(std::make_unique<Feed>(rings, *sink, layouts, graph, lossless, failures_));
 }
 
 RowPump::~RowPump() = default;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/realtime/broadcast_ring.hpp"
+#include "framework/realtime/mailbox.hpp"
 #include "framework/recording/row_sink.hpp"
 
 namespace trocar {
@@ -30,11 +31,15 @@ class RowPump {
   RowPump(const RowPump&) = delete;
   RowPump& operator=(const RowPump&) = delete;
 
+  /// Sinks that threw since the last call, while the loop goes on.
+  std::deque<ReaderFailure> take_failures() { return failures_.take_all(); }
   /// When the loop has ended: carries the rest and ends the sinks.
   PumpResult finish();
 
  private:
   class Feed;
+
+  Mailbox<ReaderFailure> failures_{64};
   std::vector<std::unique_ptr<Feed>> feeds_;
 };
 

@@ -31,6 +31,12 @@ class RowSink {
   virtual void end() {}
 };
 
+/// A reader of rows that was given up.
+struct ReaderFailure {
+  std::string reader;
+  std::string why;
+};
+
 /// What a reader that fell behind missed in a run.
 struct ReaderLoss {
   std::string reader;

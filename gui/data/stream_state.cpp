@@ -20,6 +20,7 @@ StreamState state_of(const nlohmann::json& json) {
   read_member(json, "script", state.script);
   read_member(json, "sha256", state.sha256);
   read_member(json, "log", state.log);
+  read_member(json, "log_trouble", state.log_trouble);
   read_member(json, "trouble", state.trouble);
   read_member(json, "stream_missed", state.stream_missed);
   read_member(json, "clients", state.clients);

@@ -18,6 +18,7 @@ struct StreamState {
   std::string script;  // its file's name
   std::string sha256;  // of its text, in hex
   std::string log;     // of the run itself, "" when it records none
+  std::string log_trouble;  // why that takes no more rows
   struct Recording {   // that clients asked for
     std::string file;
     std::int64_t rows = 0;

@@ -35,7 +35,7 @@ std::uint64_t RecordingControl::rows_seen() const {
 
 std::int64_t RecordingControl::lost() const {
   const std::uint64_t seen = rows_seen();
-  const bool counts = !trouble_.isEmpty() && !trial_.empty() && seen > seen_at_good_;
+  const bool counts = !trouble_.isEmpty() && !trial().isEmpty() && seen > seen_at_good_;
   return missed_ + (counts ? static_cast<std::int64_t>(seen - seen_at_good_) : 0);
 }
 
@@ -53,7 +53,7 @@ QString RecordingControl::text() const {
 QString RecordingControl::failure() const {
   if (trouble_.isEmpty()) return "";
   QString text = "RECORDING FAILED: " + trouble_;
-  if (!trial_.empty())
+  if (!trial().isEmpty())
     text += QString("; %1 rows lost, and %2 is INCOMPLETE").arg(lost()).arg(trial());
   return text + "; forces go on";
 }
@@ -88,12 +88,15 @@ void RecordingControl::hear() {
       incomplete_ = false;
     }
   }
-  if (!file_.empty()) {
-    missed_ = state.recording.missed;
-    seen_at_good_ = rows_seen();
-  }
+  if (!file_.empty()) missed_ = state.recording.missed;
+  const bool log_is_good = trial_.empty() && !state.log.empty() && state.log_trouble.empty();
+  if (!file_.empty() || log_is_good) seen_at_good_ = rows_seen();
   if (state.recording.missed > 0) incomplete_ = true;
   if (!state.trouble.empty()) fail(QString::fromStdString(state.trouble));
+  // Who comes later hears of it too; who has begun a recording of his own since has heard enough.
+  const bool is_news = state.log_trouble != log_trouble_ && file_.empty();
+  log_trouble_ = state.log_trouble;
+  if (is_news && !log_trouble_.empty()) fail(QString::fromStdString(log_trouble_));
   Q_EMIT changed();
 }
 

@@ -49,6 +49,7 @@ class RecordingControl : public QObject {
   double began_ = 0.0;              // [s] of the run
   std::string file_;                // as the runtime says
   std::string trial_;               // the newest that was recorded
+  std::string log_trouble_;         // of the run's own log, as heard last
   std::int64_t missed_ = 0;         // of that
   std::uint64_t seen_at_good_ = 0;  // rows, when it was last heard to be written
 };

@@ -33,6 +33,7 @@ class FoxgloveService final : public Service {
   void prepare(const ServiceRun& run) override;
   RowSink& rows() override { return tap_; }
   bool operate(RunControl& control) override { return desk_.operate(control); }
+  void recording_failed(const std::string& why) override { recording_.fail_log(why); }
 
   const Endpoint& endpoint() const { return endpoint_; }
   const std::string& token() const { return token_; }

@@ -47,6 +47,7 @@ void Recording::begin_run(const std::vector<RowLayout>& layouts, const WiredGrap
     graph_ = &graph;
     epoch_ns_ = epoch_ns;
     graph_json_ = std::move(graph_json);
+    log_trouble_.clear();
   });
 }
 
@@ -128,6 +129,14 @@ void Recording::missed(std::uint64_t records) {
       open.state.missed += records;
     });
   });
+}
+
+void Recording::fail_log(const std::string& why) {
+  exclusive_.run([&] { trouble_ = log_trouble_ = why; });
+}
+
+std::string Recording::log_trouble() {
+  return exclusive_.run([&] { return log_trouble_; });
 }
 
 std::string Recording::take_trouble() {

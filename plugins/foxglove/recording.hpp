@@ -45,7 +45,11 @@ class Recording {
   void row(std::size_t group, std::span<const std::byte> row);
   void event(std::size_t group, const Event& event);
   void missed(std::uint64_t records);
-  /// Why it was given up since the last call, or "".
+  /// The session's own log takes no more rows.
+  void fail_log(const std::string& why);
+  /// Why, or "": of the run that goes on.
+  std::string log_trouble();
+  /// Why a recording, a client's or the session's, was given up since the last call, or "".
   std::string take_trouble();
 
  private:
@@ -67,7 +71,7 @@ class Recording {
   std::uint64_t epoch_ns_ = 0;
   std::string graph_json_;
   std::unique_ptr<Open> open_;
-  std::string trouble_;
+  std::string trouble_, log_trouble_;
 };
 
 }  // namespace trocar::foxglove

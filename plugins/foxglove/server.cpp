@@ -30,6 +30,7 @@ constexpr int records_at_a_time = 20'000;
 constexpr const char* state_schema =
     R"({"type":"object","properties":{"run":{"type":"integer"},"running":{"type":"boolean"},)"
     R"("simulated":{"type":"boolean"},"time":{"type":"number"},"log":{"type":"string"},)"
+    R"("log_trouble":{"type":"string"},)"
     R"("script":{"type":"string"},"sha256":{"type":"string"},)"
     R"("recording":{"type":"object","properties":{"file":{"type":"string"},)"
     R"("rows":{"type":"integer"},"missed":{"type":"integer"}}},"trouble":{"type":"string"},)"
@@ -360,6 +361,7 @@ void Server::tell_state() {
       {"script", mark.name},
       {"sha256", mark.sha256},
       {"log", run_ ? run_->log : ""},
+      {"log_trouble", recording_.log_trouble()},
       {"recording",
        {{"file", recording.file}, {"rows", recording.rows}, {"missed", recording.missed}}},
       {"trouble", trouble},

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QSet>
 #include <QWidget>
+#include <algorithm>
 
 namespace trocar::test {
 
@@ -14,6 +15,18 @@ inline QImage picture_of(QWidget& widget, const QString& name = {}) {
   const QString folder = qEnvironmentVariable("TROCAR_PICTURES");
   if (!name.isEmpty() && !folder.isEmpty()) image.save(folder + "/" + name + ".png");
   return image;
+}
+
+/// How many pixels of the window's border have its colour without a gap, at most, along the top: a
+/// pattern is told apart by it, also by who sees no colours.
+inline int longest_dash(QWidget& window, const QColor& colour) {
+  const QImage image = window.grab().toImage();
+  int longest = 0, run = 0;
+  for (int x = 20; x < image.width() - 20; ++x) {
+    run = image.pixelColor(x, 1) == colour ? run + 1 : 0;
+    longest = std::max(longest, run);
+  }
+  return longest;
 }
 
 /// How many colours are in it: an empty widget has a few.

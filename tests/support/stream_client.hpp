@@ -71,6 +71,13 @@ class StreamClient {
   }
   void send(const std::string& text) { socket_.sendTextMessage(QString::fromStdString(text)); }
 
+  /// The newest message of a subscription to JSON.
+  QJsonObject json(std::uint32_t id) const {
+    const auto found = messages.find(id);
+    if (found == messages.end() || found->second.empty()) return {};
+    return QJsonDocument::fromJson(found->second.back().content).object();
+  }
+
   /// @return the service's answer, or {"failure": why}
   QJsonObject call(const QString& service, const QByteArray& arguments = "{}") {
     wait([&] { return !last("advertiseServices").isEmpty(); });

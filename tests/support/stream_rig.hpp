@@ -4,6 +4,7 @@
 #include <cstring>
 #include <thread>
 
+#include "framework/session.hpp"
 #include "plugins/foxglove/foxglove_service.hpp"
 #include "tests/support/run_rig.hpp"
 #include "tests/support/stream_client.hpp"
@@ -55,6 +56,19 @@ struct StreamRig {
       options.stop = &stop;
       service.prepare({.virtual_time = false, .stop = &stop});
       result = trocar::run(rig.graph, options);
+    });
+  }
+
+  /// The same, of a session with a log of its own.
+  void record(const std::string& path) {
+    loop = std::thread([this, path] {
+      Session session(
+          rig.types,
+          {.clock = ClockKind::realtime, .record = path, .stop = &stop, .services = {&service}});
+      session.graph().add("Meter", "meter", {"test", 1});
+      session.graph().add("TestDevice", "arm", {"test", 2});
+      session.run({});
+      session.finish();
     });
   }
 

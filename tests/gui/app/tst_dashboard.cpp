@@ -13,6 +13,7 @@
 #include "gui/app/dashboard.hpp"
 #include "gui/pages/scripts_page.hpp"
 #include "gui/plots/time_plot.hpp"
+#include "tests/gui/pictures.hpp"
 
 using namespace trocar::gui;
 
@@ -59,7 +60,15 @@ class TestDashboard : public QObject {
       pid = demo.dashboard.runtime()->pid();
       QVERIFY(demo.is_seen());
       QVERIFY(demo.wait([&] { return demo.says("mode") == "SIMULATED"; }));
+      const int dash =
+          trocar::test::longest_dash(demo.dashboard.window(), Theme::light().simulated);
+      QVERIFY2(dash > 12 && dash < 40, qPrintable(QString::number(dash)));  // dashed
       QVERIFY(demo.dashboard.operators().status().has_force);
+      const auto legend = [&](const char* plot) {
+        return demo.dashboard.window().findChild<TimePlot*>(plot)->heading();
+      };
+      QVERIFY(demo.wait([&] { return legend("force_plot").contains(" N</b>"); }));
+      QVERIFY(demo.wait([&] { return legend("tip_plot").contains(" mm</b>"); }));
       QCOMPARE(demo.dashboard.operators().status().force_cap, 20.0);
       QVERIFY(demo.wait([&] { return demo.says("mark").startsWith("01_feel_a_wall.lua "); }));
       QMessageBox box(&demo.dashboard.window());

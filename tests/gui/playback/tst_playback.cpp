@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "gui/app/replay.hpp"
+#include "tests/gui/pictures.hpp"
 #include "tests/support/script_bench.hpp"
 
 using namespace trocar;
@@ -325,6 +326,8 @@ class TestPlayback : public QObject {
     replay.clock().seek(2.0);
     replay.window().show();
     replay.window().set_theme(Theme::dark_one());
+    const int dash = trocar::test::longest_dash(replay.window(), Theme::dark_one().replay);
+    QVERIFY2(dash > 2 && dash < 12, qPrintable(QString::number(dash)));  // dotted
     QVERIFY(replay.window().windowTitle().startsWith("REPLAY – wall.mcap"));
     const QString mark = replay.window().findChild<Readout*>("mark")->whole_text();
     QVERIFY2(QRegularExpression("^wall\\.mcap   \\S+\\.lua [0-9a-f]{8}$").match(mark).hasMatch(),

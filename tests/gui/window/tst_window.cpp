@@ -16,6 +16,7 @@
 #include "gui/pages/force_meter.hpp"
 #include "gui/pages/start_page.hpp"
 #include "gui/plots/time_plot.hpp"
+#include "tests/gui/pictures.hpp"
 #include "tests/support/size_limit.hpp"
 #include "tests/support/stream_rig.hpp"
 
@@ -295,6 +296,29 @@ class TestWindow : public QObject {
     QDir::setCurrent(before);
   }
 
+  void a_log_of_the_run_itself_that_fails_is_told_too() {
+    const QTemporaryDir folder;
+    const QString before = QDir::currentPath();
+    QDir::setCurrent(folder.path());
+    StreamRig rig;
+    rig.record("trial.mcap");
+    Looking looking(rig);
+    QVERIFY(looking.is_engaged());
+    QVERIFY(looking.wait([&] { return looking.says("recording").startsWith("REC 00:0"); }));
+    QVERIFY(looking.wait([&] { return looking.says("mark").endsWith("trial trial.mcap"); }));
+    {
+      const trocar::test::SizeLimit full(4096);
+      QVERIFY(
+          looking.wait([&] { return looking.says("banner").startsWith("RECORDING FAILED: "); }));
+    }
+    QVERIFY2(looking.says("banner").contains("rows lost, and trial.mcap is INCOMPLETE; forces"),
+             qPrintable(looking.says("banner")));
+    QVERIFY(looking.wait([&] { return looking.dashboard.operators().recording().lost() > 100; }));
+    QVERIFY(looking.says("mark").endsWith("trial.mcap INCOMPLETE"));
+    QCOMPARE(looking.dashboard.operators().status().state, RunState::engaged);
+    QDir::setCurrent(before);
+  }
+
   // --- rules 7 and 8 ---
   void numbers_have_units_and_stale_ones_are_grey_not_zero() {
     RunStatus status;
@@ -319,6 +343,42 @@ class TestWindow : public QObject {
     QVERIFY(fresh.pixelColor(20, 68) == Theme::light().accent);
     status.has_force = false;
     QVERIFY(picture(RunState::engaged).isNull());
+  }
+
+  void every_number_of_a_run_has_a_unit_or_is_a_count() {
+    StreamRig rig;
+    rig.run();
+    Looking looking(rig);
+    QVERIFY(looking.is_engaged());
+    QVERIFY(looking.wait([&] { return looking.says("loop").contains(" Hz"); }));
+    static const QRegularExpression number("(\\S+) (-?[0-9.]+)(?: (\\S+)|$)");
+    const QStringList units = {"Hz", "µs", "ms", "s", "%", "N", "mm"}, counts = {"missed", "tick"};
+    for (const char* name : {"loop", "link", "mark"}) {
+      if (looking.says(name).startsWith("a log")) continue;
+      for (auto found = number.globalMatch(looking.says(name)); found.hasNext();) {
+        const QRegularExpressionMatch one = found.next();
+        QVERIFY2(units.contains(one.captured(3)) || counts.contains(one.captured(1)),
+                 qPrintable(looking.says(name)));
+      }
+    }
+  }
+
+  void a_stale_number_is_grey_and_stays() {
+    auto rig = std::make_unique<StreamRig>();
+    rig->run();
+    Looking looking(*rig);
+    QVERIFY(looking.is_engaged());
+    QVERIFY(looking.wait([&] { return looking.says("loop").startsWith("LOOP 1000 Hz"); }));
+    const auto is_grey = [&] {
+      return looking.readout("loop").styleSheet().contains(Theme::light().muted.name());
+    };
+    QVERIFY(!is_grey());
+    rig.reset();
+    QVERIFY(looking.wait([&] { return looking.says("state").contains("UNKNOWN"); }));
+    looking.dashboard.window().refresh();
+    QVERIFY(is_grey());
+    QVERIFY2(looking.says("loop").startsWith("LOOP 1000 Hz"), qPrintable(looking.says("loop")));
+    QVERIFY(looking.says("loop").endsWith("OLD"));
   }
 
   // --- rule 9 ---
@@ -399,8 +459,20 @@ class TestWindow : public QObject {
     QCOMPARE(looking.says("mark").size(), mark.size());
     QVERIFY(looking.wait([&] { return window.windowTitle().contains(looking.says("mark")); }));
     QVERIFY(window.windowTitle().startsWith("LIVE – "));
-    // Each with a border of its own, also for who sees no colours.
     QVERIFY(looking.says("mode") == "LIVE");
+    for (const Theme& theme : {Theme::light(), Theme::dark_one()}) {
+      window.set_theme(theme);
+      QVERIFY(trocar::test::longest_dash(window, theme.live) > 1000);  // whole
+    }
+    for (std::size_t page = 0; page < window.pages().size(); ++page) {
+      window.show_page(static_cast<int>(page));
+      window.refresh();
+      for (const char* name : {"mode", "mark"}) {
+        QVERIFY(looking.readout(name).isVisible());
+        QVERIFY2(looking.wait([&] { return looking.readout(name).text() == looking.says(name); }),
+                 qPrintable(QString("%1 has %2").arg(name).arg(looking.readout(name).width())));
+      }
+    }
   }
 
   // --- the whole ---

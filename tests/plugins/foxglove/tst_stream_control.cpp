@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 
 #include "framework/recording/mcap_reader.hpp"
+#include "tests/support/size_limit.hpp"
 #include "tests/support/stream_rig.hpp"
 
 using namespace trocar;
@@ -43,6 +44,28 @@ class TestStreamControl : public QObject {
     client.send(stream::get_parameters_text({.names = {}, .id = "4"}));
     QVERIFY(client.wait([&] { return client.last("parameterValues")["id"] == "4"; }));
     QVERIFY(client.last("parameterValues")["parameters"].toArray().size() > 3);
+    client.call("end");
+  }
+
+  void a_log_of_the_run_that_fails_is_told_and_the_run_goes_on() {
+    StreamRig rig;
+    StreamClient client(rig.url());
+    QVERIFY(client.open());
+    rig.record("trial.mcap");
+    QVERIFY(client.subscribe("/trocar/state", 7));
+    QVERIFY(client.wait([&] { return client.json(7)["log"] == "trial.mcap"; }));
+    QCOMPARE(client.json(7)["log_trouble"].toString(), QString());
+    {
+      const SizeLimit full(4096);  // no file may grow any more
+      QVERIFY(client.wait([&] { return client.statuses().contains("recording failed: "); }));
+    }
+    QVERIFY2(client.statuses().contains("cannot write 'trial.mcap'"),
+             qPrintable(client.statuses()));
+    QVERIFY(client.wait([&] { return client.json(7)["log_trouble"] != QString(); }));
+    const double time = client.json(7)["time"].toDouble();
+    QVERIFY(client.wait([&] { return client.json(7)["time"].toDouble() > time + 0.3; }));
+    QVERIFY(client.json(7)["log_trouble"].toString().contains("trial.mcap"));  // who comes later
+    QVERIFY(client.json(7)["running"].toBool());
     client.call("end");
   }
 
