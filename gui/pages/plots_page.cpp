@@ -2,6 +2,7 @@
 #include "gui/pages/plots_page.hpp"
 
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QShortcut>
@@ -122,7 +123,12 @@ QWidget* PlotsPage::make_head() {
     is_chosen_ = true;
     board_->remove_chosen();
   });
-  for (QWidget* button : {add, xy, remove}) row->addWidget(button);
+  auto* title = page_button("plot_title", "Title", "name the plot that is framed", head);
+  connect(title, &QPushButton::clicked, this, &PlotsPage::ask_title);
+  for (QPushButton* button : {add, xy, remove, title}) {
+    button->setMaximumWidth(fontMetrics().horizontalAdvance(button->text()) + 24);
+    row->addWidget(button);
+  }
   span_->setObjectName("span");
   span_->setAccessibleName("time that is shown");
   span_->setToolTip("time that is shown");
@@ -200,6 +206,8 @@ void PlotsPage::connect_all() {
   });
   connect(board_, &PlotBoard::plots_changed, this, [this] {
     trigger_bar_->show_names(board_->signal_names());
+    if (trigger_bar_->settings().signal != trigger_.settings().signal) take_trigger();
+    show_level();
     shown_.invalidate();
   });
   connect(board_, &PlotBoard::scrubbed, this, &PlotsPage::scrub);
@@ -345,10 +353,14 @@ void PlotsPage::take_trigger() {
     trigger_.arm(data_, settings);
   else
     trigger_.disarm();
-  board_->set_level(settings.signal, trigger_.state() == Trigger::State::off
-                                         ? std::nullopt
-                                         : std::optional(settings.level));
+  show_level();
   follow_trigger();
+}
+
+void PlotsPage::show_level() {
+  const bool off = trigger_.state() == Trigger::State::off;
+  const TriggerSettings& settings = trigger_.settings();
+  board_->set_level(settings.signal, off ? std::nullopt : std::optional(settings.level));
 }
 
 void PlotsPage::follow_trigger() {
@@ -408,6 +420,19 @@ void PlotsPage::refresh() {
 void PlotsPage::set_theme(const Theme& theme) {
   board_->set_theme(theme);
   values_->set_theme(theme);
+}
+
+void PlotsPage::ask_title() {
+  if (board_->chosen() < 0) return;
+  auto* dialog = new QInputDialog(this);
+  dialog->setObjectName("title_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle("Title");
+  dialog->setLabelText("Title of the plot that is framed");
+  const auto chosen = static_cast<std::size_t>(board_->chosen());
+  dialog->setTextValue(QString::fromStdString(board_->plots()[chosen].title));
+  connect(dialog, &QInputDialog::textValueSelected, board_, &PlotBoard::set_title);
+  dialog->open();
 }
 
 void PlotsPage::export_table(const QString& path) {

@@ -50,11 +50,13 @@ class PlotsPage : public Page {
   void connect_all();
   void choose_signals();
   void add_xy();
+  void ask_title();
   void scrub(double seconds);
   void zoom(double factor);
   void look_at(double end, double span);
   void follow_trigger();
   void take_trigger();
+  void show_level();
   void show_view();
   void show_values();
   void show_scrub();

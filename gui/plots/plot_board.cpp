@@ -112,6 +112,10 @@ void PlotBoard::remove_chosen() {
   Q_EMIT plots_changed();
 }
 
+void PlotBoard::set_title(const QString& title) {
+  if (chosen_ >= 0) panes_[static_cast<std::size_t>(chosen_)]->set_title(title);
+}
+
 void PlotBoard::number_panes() {
   for (std::size_t i = 0; i < panes_.size(); ++i) panes_[i]->set_number(static_cast<int>(i) + 1);
 }

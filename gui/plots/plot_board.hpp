@@ -22,6 +22,7 @@ class PlotBoard : public QWidget {
 
   void add_plot(const PlotDescription& plot);
   void remove_chosen();
+  void set_title(const QString& title);  // of the chosen plot
   void choose(int plot);
   int chosen() const { return chosen_; }  // −1: there is no plot
   /// To the chosen plot, or to a new one where there is none.

@@ -91,6 +91,11 @@ void PlotPane::set_number(int number) {
   canvas().setAccessibleName(title.isEmpty() ? name : name + ", " + title);
 }
 
+void PlotPane::set_title(const QString& title) {
+  description_.title = title.toStdString();
+  set_number(number_);
+}
+
 void PlotPane::set_chosen(bool chosen) {
   chosen_ = chosen;
   update();

@@ -24,6 +24,7 @@ class PlotPane : public QWidget {
   void add_signals(const QStringList& names);
   void remove_signal(const std::string& name);
   void set_number(int number);  // on the board, from 1
+  void set_title(const QString& title);
   void set_chosen(bool chosen);
   void set_view(const TimeView& view);
   void set_cursors(const std::optional<Cursors>& cursors);

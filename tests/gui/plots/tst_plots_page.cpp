@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDropEvent>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -128,6 +129,19 @@ class TestPlotsPage : public QObject {
     QCOMPARE(looking.page->board().count(), 1);
   }
 
+  void a_plot_gets_a_title() {
+    Looking looking;
+    looking.feed(10);
+    QTest::mouseClick(&looking.find<QPushButton>("plot_title"), Qt::LeftButton);
+    auto* dialog = looking.page->findChild<QInputDialog*>("title_dialog");
+    QVERIFY(dialog != nullptr);
+    dialog->setTextValue("Contact & release");
+    dialog->accept();
+    QCOMPARE(looking.page->layout_shown().plots[0].title, std::string("Contact & release"));
+    QVERIFY(looking.pane(1).heading().contains("Contact &amp; release"));
+    QCOMPARE(looking.pane(1).canvas().accessibleName(), QString("plot 1, Contact & release"));
+  }
+
   void one_signal_over_another() {
     Looking looking;
     looking.feed(3000);
@@ -240,8 +254,10 @@ class TestPlotsPage : public QObject {
   void the_level_is_edited_in_the_unit_that_is_shown() {
     Looking looking;
     looking.feed(10);
-    looking.drop(looking.pane(1), "wall.force.z");
     looking.find<QCheckBox>("trigger").setChecked(true);
+    QCOMPARE(looking.page->trigger().state(), Trigger::State::off);  // of what?
+    looking.drop(looking.pane(1), "wall.force.z");
+    QCOMPARE(looking.page->trigger().state(), Trigger::State::armed);
     looking.find<QDoubleSpinBox>("trigger_level").setValue(2.5);
     QCOMPARE(looking.page->trigger().settings().level, 2.5);
     QCOMPARE(looking.page->trigger().settings().signal, std::string("wall.force.z"));
