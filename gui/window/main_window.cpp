@@ -183,7 +183,8 @@ void MainWindow::paintEvent(QPaintEvent*) {
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->key() == Qt::Key_F12) {
+    // A log cannot be stopped, and its window takes the key from no other.
+    if (key->key() == Qt::Key_F12 && operator_.sources().link != nullptr) {
       if (event->type() == QEvent::KeyPress && !key->isAutoRepeat())
         operator_.stop_control().stop();
       event->accept();

@@ -13,11 +13,14 @@
 #include <QTabBar>
 
 #include "gui/app/dashboard.hpp"
+#include "gui/app/replay.hpp"
 #include "gui/pages/force_meter.hpp"
 #include "gui/pages/start_page.hpp"
 #include "gui/plots/time_plot.hpp"
 #include "tests/gui/pictures.hpp"
+#include "tests/support/script_bench.hpp"
 #include "tests/support/size_limit.hpp"
+#include "tests/support/slow_link.hpp"
 #include "tests/support/stream_rig.hpp"
 
 using namespace trocar;
@@ -28,8 +31,10 @@ namespace {
 
 /// A dashboard that looks at a run of the rig.
 struct Looking {
-  explicit Looking(const StreamRig& rig, const QString& query = {}) {
-    dashboard.attach(QUrl(rig.url(query)));
+  explicit Looking(const StreamRig& rig, const QString& query = {})
+      : Looking(QUrl(rig.url(query))) {}
+  explicit Looking(const QUrl& url) {
+    dashboard.attach(url);
     dashboard.window().show();
   }
   bool wait(const std::function<bool()>& until) { return QTest::qWaitFor(until, 10'000); }
@@ -113,6 +118,51 @@ class TestWindow : public QObject {
     QVERIFY(said.contains("software stop"));
     QVERIFY(looking.wait([&] { return looking.says("state") == "■ STOPPED"; }));
     QVERIFY(looking.says("fault").contains("operator stop"));
+  }
+
+  void f12_stops_over_a_slow_link_data() {
+    QTest::addColumn<int>("delay_ms");  // each way
+    QTest::addColumn<bool>("in_time");
+    QTest::newRow("20 ms") << 20 << true;
+    QTest::newRow("300 ms") << 300 << false;
+  }
+  void f12_stops_over_a_slow_link() {
+    QFETCH(int, delay_ms);
+    QFETCH(bool, in_time);
+    StreamRig rig;
+    rig.run();
+    const trocar::test::SlowLink slow(static_cast<quint16>(QUrl(rig.url()).port()), delay_ms);
+    QUrl url(rig.url());
+    url.setPort(slow.port());
+    Looking looking(url);
+    QVERIFY(looking.is_engaged());
+    QSignalSpy late(&looking.stop(), &StopControl::not_confirmed);
+    QTest::keyClick(&looking.dashboard.window(), Qt::Key_F12);
+    QVERIFY(looking.wait([&] { return looking.stop().state() == StopControl::State::confirmed; }));
+    QVERIFY(looking.stop().confirmed_after() >= 2e-3 * delay_ms);
+    // What comes too late is told as such, and what came after all too.
+    QCOMPARE(late.isEmpty(), in_time);
+    QVERIFY(looking.wait([&] { return looking.says("state") == "■ STOPPED"; }));
+  }
+
+  void f12_stops_while_a_log_loads() {
+    const QTemporaryDir folder;
+    const std::string log = folder.filePath("long.mcap").toStdString();
+    QCOMPARE(trocar::test::run_script_file(TROCAR_SOURCE_DIR "/scripts/tutorial/01_feel_a_wall.lua",
+                                           {}, {.duration = 20.0, .record = log})
+                 .findings,
+             QStringList());
+    StreamRig rig;
+    rig.run();
+    Looking looking(rig);
+    QVERIFY(looking.is_engaged());
+    Replay replay(log);
+    replay.window().show();
+    QCOMPARE(replay.feed().state(), LogFeed::State::loading);
+    QTest::keyClick(&replay.window(), Qt::Key_F12);  // wherever the focus is
+    QVERIFY(looking.stop().state() == StopControl::State::stopping);
+    QVERIFY(looking.wait([&] { return looking.stop().state() == StopControl::State::confirmed; }));
+    QVERIFY(looking.wait([&] { return replay.feed().state() == LogFeed::State::loaded; }));
   }
 
   void the_stop_never_moves_and_is_never_disabled() {
