@@ -269,6 +269,12 @@ void PlotsPage::show_layout(const PlotLayout& layout) {
   if (layout.trigger) trigger_bar_->show_settings(*layout.trigger);
   showing_ = false;
   set_cursors(layout.cursors);
+  if (cursors_) {
+    const TimeWindow window = window_shown();
+    for (double& at : *cursors_)
+      at = std::clamp(at, window.begin - window.zero, window.end - window.zero);
+    set_cursors(cursors_);
+  }
   take_trigger();
 }
 

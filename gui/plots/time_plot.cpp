@@ -17,8 +17,11 @@ constexpr double least_scale = 0.999;   // below it the gate held back
 /// Room for numbers of any length, so that plots under each other have one time axis.
 constexpr QMargins margins(64, 6, 10, 34);
 
+/// On top of all else, which is then one picture beneath: of a frame two are put together and not
+/// four.
 QCPLayer* buffered_layer(QCustomPlot& plot) {
-  plot.addLayer("curves", plot.layer("main"), QCustomPlot::limAbove);
+  plot.layer("overlay")->setMode(QCPLayer::lmLogical);
+  plot.addLayer("curves", plot.layer("overlay"), QCustomPlot::limAbove);
   plot.layer("curves")->setMode(QCPLayer::lmBuffered);
   return plot.layer("curves");
 }
@@ -33,7 +36,7 @@ TimePlot::TimePlot(DataStore& store, QWidget* parent)
     : QWidget(parent),
       data_(store),
       title_(new QLabel(this)),
-      legend_(new QLabel(this)),
+      legend_(new PlotLegend(this)),
       plot_(new QCustomPlot(this)),
       curves_layer_(buffered_layer(*plot_)),
       marks_(*plot_, *curves_layer_) {
@@ -44,8 +47,6 @@ TimePlot::TimePlot(DataStore& store, QWidget* parent)
   head->addWidget(title_);
   head->addStretch(1);
   head->addWidget(legend_);
-  legend_->setTextFormat(Qt::RichText);
-  legend_->setMinimumWidth(1);  // it may be cut, and must not widen the window
   layout->addLayout(head);
   layout->addWidget(plot_, 1);
 
@@ -144,6 +145,7 @@ void TimePlot::set_theme(const Theme& theme) {
   theme_ = theme;
   set_plot_look(*plot_, theme);
   marks_.set_theme(theme);
+  legend_->set_theme(theme);
   for (std::size_t i = 0; i < curves_.size(); ++i) curves_[i]->graph->setPen(theme.curve(i));
   for (QCPItemStraightLine* line : caps_) line->setPen(QPen(theme.danger, 1, Qt::DashLine));
   QColor shade = theme.warning;
@@ -238,9 +240,9 @@ QString TimePlot::common_name() const {
 }
 
 QString TimePlot::notice() const {
-  if (view_.shot) return QString("<b>TRIGGERED at %1 s</b>").arg(view_.shot->at, 0, 'f', 4);
+  if (view_.shot) return QString("TRIGGERED at %1 s").arg(view_.shot->at, 0, 'f', 4);
   if (!view_.frozen) return "";
-  return QString("<b>FROZEN, behind %1 s; the run goes on</b>")
+  return QString("FROZEN, behind %1 s; the run goes on")
       .arg(data_.now() - *view_.frozen, 0, 'f', 1);
 }
 
@@ -249,27 +251,23 @@ void TimePlot::label() {
   const double now = data_.now();
   if (labelled_ >= 0 && std::abs(now - labelled_) < label_interval) return;
   labelled_ = now;
-  QString text, units;
+  QString units;
   const QString common = common_name();
   const qsizetype skipped = common.isEmpty() ? 0 : common.size() + 1;
-  title_->setText(QString("<b>%1</b>&nbsp;&nbsp;%2").arg(name_.toHtmlEscaped(), common));
+  const QString title = QString("<b>%1</b>&nbsp;&nbsp;%2").arg(name_.toHtmlEscaped(), common);
+  if (title != title_->text()) title_->setText(title);
+  std::vector<PlotLegend::Entry> entries;
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     const auto signal = data_.find(curves_[i]->signal);
-    const QPen pen = theme_.curve(i);
-    static const char* const marks[] = {"▬", "▬ ▬", "▪▪▪"};
-    text += QString("&nbsp;&nbsp;<span style='color:%1'>%2</span> %3 ")
-                .arg(pen.color().name(), marks[i / 7 % 3],
-                     QString::fromStdString(curves_[i]->signal).mid(skipped).toHtmlEscaped());
-    if (!signal || !std::isfinite(signal->last())) {
-      text += QString("<span style='color:%1'>no value</span>").arg(theme_.muted.name());
-      continue;
-    }
-    text +=
-        QString("<b>%1</b>").arg(shown_number(signal->last(), signal->info().unit).toHtmlEscaped());
+    entries.push_back({.pen = theme_.curve(i),
+                       .name = QString::fromStdString(curves_[i]->signal).mid(skipped),
+                       .value = {}});
+    if (!signal || !std::isfinite(signal->last())) continue;
+    entries.back().value = shown_number(signal->last(), signal->info().unit);
     const QString unit = shown_unit(signal->info().unit);
     if (!unit.isEmpty() && !units.contains(unit)) units += (units.isEmpty() ? "" : ", ") + unit;
   }
-  legend_->setText(notice() + text);
+  legend_->show_entries(notice(), std::move(entries));
   const QString axis = units.isEmpty() ? QString() : "[" + units + "]";
   if (axis == plot_->yAxis->label()) return;
   plot_->yAxis->setLabel(axis);

@@ -13,6 +13,7 @@
 #include "gui/plots/autoscale.hpp"
 #include "gui/plots/binned_curve.hpp"
 #include "gui/plots/custom_plot.hpp"
+#include "gui/plots/plot_legend.hpp"
 #include "gui/plots/plot_marks.hpp"
 #include "gui/theme/theme.hpp"
 
@@ -53,7 +54,7 @@ class TimePlot : public QWidget {
   /// Draws the newest.
   void refresh();
   QCustomPlot& canvas() { return *plot_; }
-  QString heading() const { return title_->text() + "&nbsp;&nbsp;" + legend_->text(); }
+  QString heading() const { return title_->text() + "&nbsp;&nbsp;" + legend_->html(); }
   /// Least and greatest of the value axis.
   QCPRange value_range() const { return plot_->yAxis->range(); }
 
@@ -76,7 +77,7 @@ class TimePlot : public QWidget {
   DataStore& data_;
   QString name_;
   QLabel* title_;
-  QLabel* legend_;
+  PlotLegend* legend_;
   QCustomPlot* plot_;
   QCPLayer* curves_layer_;
   PlotMarks marks_;
