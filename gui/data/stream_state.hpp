@@ -14,12 +14,12 @@ struct StreamState {
   std::int64_t run = 0;  // its number, 0 before the first
   bool running = false;
   bool virtual_time = false;
-  double time = 0.0;   // [s]
-  std::string script;  // its file's name
-  std::string sha256;  // of its text, in hex
-  std::string log;     // of the run itself, "" when it records none
+  double time = 0.0;        // [s]
+  std::string script;       // its file's name
+  std::string sha256;       // of its text, in hex
+  std::string log;          // of the run itself, "" when it records none
   std::string log_trouble;  // why that takes no more rows
-  struct Recording {   // that clients asked for
+  struct Recording {        // that clients asked for
     std::string file;
     std::int64_t rows = 0;
     std::int64_t missed = 0;
