@@ -96,7 +96,9 @@ class TestMemory : public QObject {
       event.time = static_cast<double>(second);
       event.kind = "annotated";
       event.detail = "needle touched the wall";
-      for (int i = 0; i < 5; ++i) rig.store.add_event(event);
+      // So many that the list of events is full in the first minutes, too.
+      const bool many = second < first_minutes || second % 10 == 0;
+      for (int i = 0; many && i < 30; ++i) rig.store.add_event(event);
       if (second % 10 == 0) {
         window.refresh();
         QCoreApplication::processEvents();
